@@ -1,0 +1,60 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Command.Check
+-- Description : dioptre check: diagnostics only
+module Dioptre.Command.Check
+  ( Format (..),
+    check,
+  )
+where
+
+import Control.Monad (forM, forM_)
+import Data.Aeson (encode, object, (.=))
+import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Data.Char (toLower)
+import Data.Either (lefts, rights)
+import qualified Data.Text as Text
+import qualified Data.Text.IO as Text
+import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole)
+import Dioptre.Command.Load (Loaded (..), sceneOf)
+import Dioptre.Command.Render (failing)
+import Dioptre.Command.Wording (fileFault)
+import Dioptre.Files.Whole (readWhole)
+import Dioptre.Scene.Configuration (checkConfiguration)
+import Dioptre.Source.Diagnostic (Diagnostic)
+import Dioptre.Source.Language (inLanguage)
+import Dioptre.Source.Report (pretty, summary, toJson)
+import Dioptre.Source.Text (Source, decode, sourceName)
+import Dioptre.Syntax.Grammar (parse)
+import System.Exit (ExitCode (..))
+import System.FilePath (takeExtension)
+import System.IO (stdout)
+
+-- | How the result is printed.
+data Format = AsText | AsJson
+  deriving stock (Eq, Show)
+
+-- | Prints the diagnostics of files on standard output: scenes, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
+-- cannot be read.
+check :: Journal -> Format -> [FilePath] -> IO ExitCode
+check journal format paths = do
+  results <- forM paths $ \path -> either Left (Right . checked path) <$> readWhole path
+  case format of
+    AsText -> forM_ (rights results) $ \(source, diagnostics) -> do
+      forM_ diagnostics (toConsole stdout . pretty l source)
+      Text.putStrLn (Text.pack (sourceName source) <> ": " <> maybe (inLanguage l "no faults" "aucune faute") id (summary l diagnostics))
+    AsJson ->
+      Lazy.putStrLn . encode $
+        object ["diagnostics" .= [toJson l (sourceName source) d | (source, diagnostics) <- rights results, d <- diagnostics]]
+  forM_ (lefts results) (sayFault journal . fileFault l)
+  pure $ case () of
+    _ | not (null (lefts results)) -> ExitFailure 3
+    _ | any (any failing . snd) (rights results) -> ExitFailure 1
+    _ -> ExitSuccess
+  where
+    l = journalLanguage journal
+    checked path bytes
+      | map toLower (takeExtension path) == ".cfg" = (decode path bytes, snd (checkConfiguration (parse (decode path bytes))))
+      | otherwise = let loaded = sceneOf (decode path bytes) in (loadedSource loaded, loadedDiagnostics loaded) :: (Source, [Diagnostic])

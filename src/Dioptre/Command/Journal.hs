@@ -1,0 +1,94 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Command.Journal
+-- Description : What the program tells while it works
+--
+-- Messages go to standard error, where they have colours if it is a terminal, and are kept for the log, where they have none.
+module Dioptre.Command.Journal
+  ( Journal,
+    newJournal,
+    journalLanguage,
+    journalWith,
+    say,
+    sayText,
+    sayFault,
+    written,
+    withProgress,
+    toConsole,
+  )
+where
+
+import Control.Monad (when)
+import Data.Foldable (toList)
+import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
+import Data.Sequence (Seq, (|>))
+import qualified Data.Sequence as Seq
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Text.Lazy as Lazy
+import Dioptre.Source.Language (Language)
+import qualified Dioptre.Source.Report as Report
+import Prettyprinter (Doc, LayoutOptions (..), PageWidth (..), hardline, layoutPretty, pretty, unAnnotate)
+import qualified Prettyprinter.Render.Terminal as Terminal
+import qualified Prettyprinter.Render.Text as Plain
+import System.Console.ANSI (hSupportsANSI)
+import System.Environment (lookupEnv)
+import System.IO (Handle, hIsTerminalDevice, stderr)
+import System.ProgressBar (Progress (..), ProgressBarWidth (..), Style (..), defStyle, incProgress, msg, newProgressBar)
+
+-- | Where messages go.
+data Journal = Journal
+  { -- | The language that they are in.
+    journalLanguage :: Language,
+    speaks :: Bool,
+    kept :: IORef (Seq Text)
+  }
+
+-- | A journal in a language, that speaks on standard error or only writes.
+newJournal :: Language -> Bool -> IO Journal
+newJournal l loud = Journal l loud <$> newIORef Seq.empty
+
+-- | The same journal in another language, that speaks or does not.
+journalWith :: Language -> Bool -> Journal -> Journal
+journalWith l loud journal = journal {journalLanguage = l, speaks = loud}
+
+-- | A message.
+say :: Journal -> Doc Report.Style -> IO ()
+say journal doc = do
+  modifyIORef' (kept journal) (|> Plain.renderStrict (layoutPretty layout (unAnnotate doc)))
+  when (speaks journal) (toConsole stderr doc)
+
+-- | A message without any style.
+sayText :: Journal -> Text -> IO ()
+sayText journal = say journal . paragraphs
+
+-- | A message that is heard even where the journal is silent, as the program ends because of it.
+sayFault :: Journal -> Text -> IO ()
+sayFault journal = say journal {speaks = True} . paragraphs
+
+paragraphs :: Text -> Doc Report.Style
+paragraphs = foldMap id . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"
+
+-- | Everything that was said, line by line.
+written :: Journal -> IO Text
+written journal = Text.unlines . toList <$> readIORef (kept journal)
+
+layout :: LayoutOptions
+layout = LayoutOptions (AvailablePerLine 100 1)
+
+-- | A document on a terminal or in a file, in colours where they are understood and not declined (see no-color.org).
+toConsole :: Handle -> Doc Report.Style -> IO ()
+toConsole handle doc = do
+  colourful <- (&&) <$> hSupportsANSI handle <*> (maybe True null <$> lookupEnv "NO_COLOR")
+  Terminal.renderIO handle (layoutPretty layout ((if colourful then doc else unAnnotate doc) <> hardline))
+
+-- | Runs some work of n steps, which reports each; shows how far it has come where the journal speaks and standard error is a terminal.
+withProgress :: Journal -> Text -> Int -> (IO () -> IO a) -> IO a
+withProgress journal label n work = do
+  terminal <- hIsTerminalDevice stderr
+  if terminal && speaks journal
+    then do
+      bar <- newProgressBar defStyle {stylePrefix = msg (Lazy.fromStrict label), styleWidth = TerminalWidth 80} 10 (Progress 0 n ())
+      work (incProgress bar 1)
+    else work (pure ())

@@ -1,0 +1,172 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Command.Render
+-- Description : dioptre render: one scene, one picture
+module Dioptre.Command.Render
+  ( Options (..),
+    Output (..),
+    render,
+
+    -- * For other commands
+    failing,
+    sayDiagnostics,
+    traced,
+    timed,
+  )
+where
+
+import Control.Monad (forM_)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Text.IO as Text
+import Dioptre.Command.Journal (Journal, journalLanguage, say, sayFault, sayText, withProgress)
+import Dioptre.Command.Load (Loaded (..), loadScene)
+import Dioptre.Command.Wording (fileFault, numberingFault, seconds, statistics)
+import Dioptre.Files.Fault (FileFault (..), Reason (..))
+import Dioptre.Files.Number (PictureNumber, writeNumbered)
+import Dioptre.Files.Whole (writeWhole)
+import Dioptre.Picture (Picture)
+import Dioptre.Picture.Png (encode)
+import Dioptre.Render (Tally (..), renderWith)
+import Dioptre.Render.Row (Plan, plan, planHeight, planWithin, window)
+import Dioptre.Scene (Scene (..))
+import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
+import Dioptre.Scene.Raytracer (Raytracer (..))
+import Dioptre.Source.Diagnostic (Diagnostic (..), Problem (ImpossibleObject), Severity (..), severity)
+import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Message (message)
+import Dioptre.Source.Report (pretty, summary)
+import Dioptre.Source.Text (Source)
+import GHC.Clock (getMonotonicTime)
+import GHC.Conc (getNumCapabilities)
+import System.Directory (canonicalizePath, doesDirectoryExist)
+import System.Exit (ExitCode (..))
+import System.FilePath (takeDirectory)
+
+-- | What to render, and how.
+data Options = Options
+  { optionScene :: FilePath,
+    optionOutput :: Output,
+    -- | Instead of the scene's own.
+    optionWidth :: Maybe Int,
+    -- | Instead of the scene's own.
+    optionHeight :: Maybe Int,
+    -- | Instead of the scene's own.
+    optionSampling :: Maybe Int,
+    -- | Column, row, width and height of the part to render.
+    optionCrop :: Maybe (Int, Int, Int, Int),
+    -- | Whether a faulty scene is not drawn.
+    optionStrict :: Bool
+  }
+
+-- | Where the picture goes.
+data Output
+  = -- | Exactly there.
+    ToFile FilePath
+  | -- | To the working directory, under the scene's name and the first free number from this one on.
+    Numbered PictureNumber
+
+-- | Renders a scene and prints the path of its picture. Exit codes as in the README.
+render :: Journal -> Options -> IO ExitCode
+render journal options = do
+  (reading, result) <- timed (loadScene l (optionScene options))
+  case result of
+    Left fault -> ExitFailure 3 <$ sayFault journal fault
+    Right loaded -> do
+      sayDiagnostics journal (loadedSource loaded) (loadedDiagnostics loaded)
+      if optionStrict options && any failing (loadedDiagnostics loaded)
+        then ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
+        else case adjusted options (loadedScene loaded) of
+          Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
+          Right (scene, planned) -> do
+            obstacle <- outputObstacle options
+            case obstacle of
+              Just fault -> ExitFailure (fst fault) <$ sayFault journal (snd fault l)
+              Nothing -> drawn reading scene planned
+  where
+    l = journalLanguage journal
+    drawn reading scene planned = do
+      (tracing, (image, tally)) <- timed (traced journal planned)
+      (writing, outcome) <- timed (write scene image)
+      case outcome of
+        Left fault -> ExitFailure 3 <$ sayFault journal fault
+        Right path -> do
+          sayText journal $
+            Text.concat
+              [ statistics l (tallyRays tally) (tallyTests tally),
+                inLanguage l "; reading " "\xA0; lecture ",
+                seconds reading,
+                inLanguage l ", tracing " ", tracé ",
+                seconds tracing,
+                inLanguage l ", writing " ", écriture ",
+                seconds writing
+              ]
+          Text.putStrLn (Text.pack path)
+          pure ExitSuccess
+    write scene image = case optionOutput options of
+      ToFile path -> either (Left . fileFault l) (const (Right path)) <$> writeWhole path (encode image)
+      Numbered from ->
+        either (Left . numberingFault l) (Right . fst)
+          <$> writeNumbered "." (viewportImage (sceneViewport scene)) from (encode image)
+
+-- | The scene with the options' size and sampling, and its plan; or what is wrong with the options.
+adjusted :: Options -> Scene -> Either (Language -> Text) (Scene, Plan)
+adjusted options scene = do
+  port <- resized (optionWidth options) (optionHeight options) (sceneViewport scene)
+  let tracer = sceneRaytracer scene
+      scene' = scene {sceneViewport = port, sceneRaytracer = maybe tracer (\n -> tracer {raytracerSampling = n}) (optionSampling options)}
+  case optionCrop options of
+    Nothing -> Right (scene', plan scene')
+    Just (x, y, w, h) -> case window port x y w h of
+      Just part -> Right (scene', planWithin part scene')
+      Nothing -> Left (\l -> outside l port)
+  where
+    outside l port =
+      inLanguage l "--crop does not lie in the picture, which has " "--crop sort de l'image, qui a "
+        <> Text.pack (show (viewportWidth port) <> " x " <> show (viewportHeight port))
+        <> " pixels"
+
+resized :: Maybe Int -> Maybe Int -> Viewport -> Either (Language -> Text) Viewport
+resized w h port = either (Left . tooMany) Right (viewport (maybe (viewportWidth port) id w) (maybe (viewportHeight port) id h) (viewportImage port))
+  where
+    tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw)
+
+-- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves.
+outputObstacle :: Options -> IO (Maybe (Int, Language -> Text))
+outputObstacle options = case optionOutput options of
+  Numbered _ -> pure Nothing
+  ToFile path -> do
+    same <- (==) <$> canonicalizePath path <*> canonicalizePath (optionScene options)
+    let folder = takeDirectory path
+    there <- doesDirectoryExist folder
+    pure $
+      if same
+        then Just (2, \l -> inLanguage l "the picture would replace the scene: " "l'image remplacerait la scène\xA0: " <> Text.pack path)
+        else if there then Nothing else Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
+
+-- | The picture of a plan by all processors, with a bar that shows how far it is.
+traced :: Journal -> Plan -> IO (Picture, Tally)
+traced journal planned = do
+  workers <- getNumCapabilities
+  withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) $ \done -> renderWith workers done planned
+
+-- | How long some work took, in seconds.
+timed :: IO a -> IO (Double, a)
+timed work = do
+  start <- getMonotonicTime
+  result <- work
+  end <- getMonotonicTime
+  pure (end - start, result)
+
+-- | Whether a diagnostic makes @check@ and @--strict@ fail.
+failing :: Diagnostic -> Bool
+failing d = severity (diagnosticProblem d) >= Warning
+
+-- | Every diagnostic in full, and how many there were.
+sayDiagnostics :: Journal -> Source -> [Diagnostic] -> IO ()
+sayDiagnostics journal source diagnostics = do
+  forM_ diagnostics (say journal . pretty l source)
+  forM_ (summary l diagnostics) (sayText journal)
+  where
+    l = journalLanguage journal

@@ -1,0 +1,189 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Command.Run
+-- Description : dioptre without arguments: what configuration.cfg says
+--
+-- The handout's program: it reads configuration.cfg in the working directory, runs the application that it names, and
+-- leaves a picture, the whole scene (out.txt), a log, and the next picture's number in the configuration.
+module Dioptre.Command.Run
+  ( run,
+    readConfiguration,
+    firstNumber,
+  )
+where
+
+import Control.Exception (onException)
+import Control.Monad (forM)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Maybe (fromMaybe)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import qualified Data.Text.IO as Text
+import Dioptre.Command.Compare (verdict)
+import Dioptre.Command.Info (info)
+import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayFault, sayText, written)
+import Dioptre.Command.Load (Loaded (..), drawnOrLoaded, loadBuiltIn, loadScene)
+import Dioptre.Command.Render (sayDiagnostics, timed, traced)
+import Dioptre.Command.Wording (fileFault, numberingFault, searchFault, seconds, statistics)
+import Dioptre.Files.Counter (replaceCounter)
+import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
+import Dioptre.Files.Number (PictureNumber, next, pictureNumber, writeNumbered)
+import Dioptre.Files.Search (search)
+import Dioptre.Files.Whole (readWhole, writeWhole)
+import Dioptre.Picture (Difference (Equal), difference)
+import Dioptre.Picture.Png (encode)
+import Dioptre.Render (Tally (..))
+import Dioptre.Render.Row (plan)
+import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene.Camera (viewportImage)
+import Dioptre.Scene.Configuration
+import Dioptre.Scene.Default (defaultScene)
+import Dioptre.Source.Diagnostic (Diagnostic)
+import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Text (Source, decode)
+import Dioptre.Syntax.Grammar (parse)
+import System.Directory (doesFileExist)
+import System.Exit (ExitCode (..))
+import System.FilePath (takeDirectory)
+
+-- | The configuration in the working directory, with its text and what there is to say of it; or why there is none.
+readConfiguration :: IO (Either FileFault (Source, Configuration, [Diagnostic]))
+readConfiguration = fmap (understood . decode configurationFile) <$> readWhole configurationFile
+  where
+    understood source = let (configuration, diagnostics) = checkConfiguration (parse source) in (source, configuration, diagnostics)
+
+-- | Runs what the configuration says. Without one, tells what there is to know and writes one. Exit codes as in the README.
+run :: Journal -> Either FileFault (Source, Configuration, [Diagnostic]) -> IO ExitCode
+run journal found = case found of
+  Left (FileFault _ DoesNotExist) -> do
+    Text.putStr (info l)
+    saved journal configurationFile startingConfiguration
+  Left fault -> ExitFailure 3 <$ sayFault journal (fileFault l fault)
+  Right (source, configuration, diagnostics) -> do
+    let spoken = journalWith l (configurationLogConsole configuration) journal
+    sayDiagnostics spoken source diagnostics
+    logged spoken configuration (apply spoken configuration)
+  where
+    l = journalLanguage journal
+
+-- | Runs some work, and writes the log whatever becomes of it.
+logged :: Journal -> Configuration -> IO ExitCode -> IO ExitCode
+logged journal configuration work
+  | not (configurationLogFile configuration) = work
+  | otherwise = worse <$> (work `onException` writeLog) <*> writeLog
+  where
+    writeLog = written journal >>= saved journal (Text.unpack (configurationLogName configuration))
+
+-- | The exit code of two things done one after the other: the first that is not success.
+worse :: ExitCode -> ExitCode -> ExitCode
+worse ExitSuccess code = code
+worse code _ = code
+
+-- | Runs the application.
+apply :: Journal -> Configuration -> IO ExitCode
+apply journal configuration = case configurationApplication configuration of
+  RunNothing -> ExitSuccess <$ sayText journal (inLanguage l "configuration.cfg runs no application" "configuration.cfg ne lance aucune application")
+  RunInfo -> Text.putStr (info l) >> writeDefaultScene journal
+  RunConsole -> draw journal configuration
+  RunFrame -> do
+    sayText journal (inLanguage l "this version has no window yet: 'frame' draws as 'console'" "cette version n'a pas encore de fenêtre\xA0: 'frame' dessine comme 'console'")
+    draw journal configuration
+  RunComparator -> compareAll journal configuration
+  where
+    l = journalLanguage journal
+
+-- | Writes the built-in scene to a file that can be changed and read under another name; never over one that is there.
+writeDefaultScene :: Journal -> IO ExitCode
+writeDefaultScene journal = do
+  there <- doesFileExist (Text.unpack defaultSceneFile)
+  if there then pure ExitSuccess else saved journal (Text.unpack defaultSceneFile) defaultScene
+
+-- | Writes a text, whole. A failure is told, and is exit code 3.
+saved :: Journal -> FilePath -> Text -> IO ExitCode
+saved journal path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
+
+failed :: Journal -> Text -> IO ExitCode
+failed journal fault = ExitFailure 3 <$ sayFault journal fault
+
+-- | Draws the scene: reads it, traces it, writes the picture, counts it, and writes the scene back.
+draw :: Journal -> Configuration -> IO ExitCode
+draw journal configuration = do
+  sayText journal (inLanguage l "reading scene '" "lecture de la scène '" <> name <> "'")
+  (reading, result) <- timed (sceneNamed l name)
+  case result of
+    Left fault -> failed journal fault
+    Right loaded -> do
+      sayDiagnostics journal (loadedSource loaded) (loadedDiagnostics loaded)
+      let scene = loadedScene loaded
+      sayText journal $
+        inLanguage l "the scene has " "la scène comprend " <> number (length (scenePrimitives scene))
+          <> inLanguage l " primitives; read in " " primitives\xA0; lue en "
+          <> seconds reading
+      (tracing, (image, tally)) <- timed (traced journal (plan scene))
+      sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
+      (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
+      case outcome of
+        Left fault -> failed journal (numberingFault l fault)
+        Right (path, used) -> do
+          sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds writing)
+          Text.putStrLn (Text.pack path)
+          worse <$> count journal (next used) <*> saved journal (Text.unpack (configurationWrite configuration)) (writeScene scene)
+  where
+    l = journalLanguage journal
+    name = configurationRead configuration
+    number = Text.pack . show
+
+-- | The scene of that name: the built-in one, or one that is looked for; or why there is none, in words.
+sceneNamed :: Language -> Text -> IO (Either Text Loaded)
+sceneNamed l name
+  | Text.toCaseFold (Text.strip name) == defaultSceneFile = pure (Right loadBuiltIn)
+  | otherwise = search "." "." name >>= either (pure . Left . searchFault l) (loadScene l)
+
+-- | The number that the configuration wants the next picture to have.
+firstNumber :: Configuration -> PictureNumber
+firstNumber = fromMaybe minBound . pictureNumber . configurationImageCount
+
+-- | Puts the next picture's number into the configuration, as it is now on the disk, and changes nothing else in it.
+count :: Journal -> PictureNumber -> IO ExitCode
+count journal following =
+  readWhole configurationFile
+    >>= either (pure . Left) (writeWhole configurationFile . Lazy.fromStrict . replaceCounter following)
+    >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
+
+-- | Compares the pairs of a list, prints how each differs, and writes the list back. Exit code 1 if any does.
+compareAll :: Journal -> Configuration -> IO ExitCode
+compareAll journal configuration = do
+  found <- search "." "." (configurationRead configuration)
+  case found of
+    Left fault -> failed journal (searchFault l fault)
+    Right path ->
+      readWhole path >>= \bytes -> case decode path <$> bytes of
+        Left fault -> failed journal (fileFault l fault)
+        Right source -> do
+          let (pairs, diagnostics) = checkComparisons (parse source)
+          sayDiagnostics journal source diagnostics
+          codes <- forM (zip [1 :: Int ..] pairs) $ \(i, pair) -> comparePair journal path i pair
+          code <- saved journal (Text.unpack (configurationWrite configuration)) (writeComparisons pairs)
+          pure (maximum (code : codes))
+  where
+    l = journalLanguage journal
+
+comparePair :: Journal -> FilePath -> Int -> (Text, Text) -> IO ExitCode
+comparePair journal list i (a, b) = do
+  left <- shown a
+  right <- shown b
+  case (,) <$> left <*> right of
+    Left fault -> do
+      result (inLanguage l "undecided" "indéterminé")
+      failed journal fault
+    Right ((p, _), (q, _)) -> do
+      result (verdict l (difference p q))
+      pure (if difference p q == Equal then ExitSuccess else ExitFailure 1)
+  where
+    l = journalLanguage journal
+    shown name = search "." (takeDirectory list) name >>= either (pure . Left . searchFault l) (drawnOrLoaded l)
+    result outcome =
+      Text.putStrLn $
+        inLanguage l "comparison #" "comparaison nº " <> Text.pack (show i) <> ": " <> a <> ", " <> b <> ": " <> outcome

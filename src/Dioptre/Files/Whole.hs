@@ -1,0 +1,121 @@
+-- |
+-- Module      : Dioptre.Files.Whole
+-- Description : Reading and writing files whole
+--
+-- A file written here appears whole or not at all: it is written to a temporary beside it, which is then renamed over
+-- it, and a rename happens at once. Whoever reads meanwhile sees the old file or the new one; after a full disk or
+-- Ctrl-C the old one is untouched. (Nothing is promised about power failures: there is no @fsync@.)
+--
+-- Four things can stand at the path, and each has its way:
+--
+-- > a file, or nothing   write beside, rename          -o picture.png
+-- > a link               follow it, then as above      -o latest.png   (latest.png -> 2024/a.png)
+-- > a device or a pipe   write into it                 -o /dev/null
+-- > a descriptor         write on from where it is     -o /dev/stdout
+--
+-- The last one matters even where the descriptor leads to a file: in @(echo a; dioptre ...; echo b) > file@ neither
+-- replacing the file nor opening it anew would leave @a@ and @b@ where they belong.
+--
+-- Sources: POSIX.1-2017, @rename()@
+-- (<https://pubs.opengroup.org/onlinepubs/9699919799/functions/rename.html>).
+module Dioptre.Files.Whole
+  ( -- * Writing
+    writeWhole,
+
+    -- * Reading
+    readWhole,
+  )
+where
+
+import Control.Exception (bracket, tryJust)
+import Control.Monad (guard)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (traverse_)
+import Dioptre.Files.Descriptor (checkWritable, namedDescriptor)
+import Dioptre.Files.Fault (FileFault, orFault)
+import Dioptre.Files.Temporary (withTemporary)
+import Foreign.C.Error (Errno, eISDIR, eLOOP, errnoToIOError)
+import GHC.IO.Handle.FD (openFileBlocking)
+import System.FilePath (takeDirectory, (</>))
+import System.IO (Handle, IOMode (ReadMode, WriteMode), hClose, hFlush, stdout)
+import System.IO.Error (isDoesNotExistError)
+import System.Posix.Files
+  ( fileMode,
+    getSymbolicLinkStatus,
+    isDirectory,
+    isRegularFile,
+    isSymbolicLink,
+    readSymbolicLink,
+    rename,
+  )
+import System.Posix.IO (dup, fdToHandle)
+import System.Posix.Types (Fd, FileMode)
+
+-- | Writes a file: whole, or not at all.
+--
+-- A file that was there is replaced and its permissions are kept; its owner becomes who writes, and other hard links
+-- to it keep the old contents. One that may not be written is not replaced, even where its folder would allow that. A
+-- new file has the permissions of any new file. On failure everything is as before, and no temporary stays. Devices
+-- and pipes get the bytes as they come.
+--
+-- Law: what is written is what 'readWhole' reads.
+writeWhole :: FilePath -> Lazy.ByteString -> IO (Either FileFault ())
+writeWhole path bytes =
+  orFault path $ do
+    there <- destination path
+    case there of
+      Descriptor descriptor -> do
+        hFlush stdout
+        writeTo (dup descriptor >>= fdToHandle)
+      Device device -> writeTo (openFileBlocking device WriteMode)
+      Folder -> refuse eISDIR path
+      File target mode -> do
+        traverse_ (const (checkWritable target)) mode
+        withTemporary (takeDirectory target) mode bytes (`rename` target)
+  where
+    writeTo :: IO Handle -> IO ()
+    writeTo open = bracket open hClose (`Lazy.hPut` bytes)
+
+-- | Reads a file to its end, at once: the file is closed when this returns. A folder is
+-- 'Dioptre.Files.Fault.IsAFolder'; a named pipe is waited for.
+readWhole :: FilePath -> IO (Either FileFault ByteString)
+readWhole path =
+  orFault path (bracket (openFileBlocking path ReadMode) hClose Bytes.hGetContents)
+
+-- | What stands at a path, symbolic links followed.
+data Destination
+  = -- | One of this process's own open descriptors.
+    Descriptor Fd
+  | -- | Anything that is neither file nor folder: there is nothing to replace.
+    Device FilePath
+  | Folder
+  | -- | A file to replace, with its permissions, or the place for a new one.
+    File FilePath (Maybe FileMode)
+
+-- | Follows the links that a path ends in, a dangling one too: writing through it makes the file that it points to.
+-- Folders on the way are the operating system's business.
+destination :: FilePath -> IO Destination
+destination = follow (40 :: Int)
+  where
+    follow hops path
+      | Just descriptor <- namedDescriptor path = pure (Descriptor descriptor)
+      | otherwise = do
+        found <- tryJust (guard . isDoesNotExistError) (getSymbolicLinkStatus path)
+        case found of
+          Left () -> pure (File path Nothing)
+          Right status
+            | isSymbolicLink status ->
+              if hops <= 0
+                then refuse eLOOP path
+                else do
+                  target <- readSymbolicLink path
+                  follow (hops - 1) (takeDirectory path </> target)
+            | isDirectory status -> pure Folder
+            | isRegularFile status -> pure (File path (Just (fileMode status)))
+            | otherwise -> pure (Device path)
+
+-- | Fails the way the operating system does.
+refuse :: Errno -> FilePath -> IO a
+refuse number path = ioError (errnoToIOError "write" number Nothing (Just path))

@@ -1,0 +1,50 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Geometry.Plane
+-- Description : The infinite plane
+--
+-- >            n ^
+-- >              |
+-- >  ------------P------------    <n, r - P> = 0
+--
+-- A ray r(t) = o + t d lies on the plane where A t + B = 0, with A = \<n, d> and B = \<n, o - P> (the handout's section 1.6).
+-- A ray in the plane, or beside it, has A = 0 and does not meet it.
+module Dioptre.Geometry.Plane
+  ( -- * Constructing
+    Plane,
+    plane,
+    planePosition,
+    planeNormal,
+
+    -- * Intersecting
+    planeParameters,
+  )
+where
+
+import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Roots (linearRoots)
+import Dioptre.Math.Tolerance (smallestLength)
+import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, vector)
+
+-- | A plane, as it was written: its normal has any length but a negligible one.
+data Plane = Plane
+  { -- | A point of the plane.
+    planePosition :: Point,
+    -- | Orthogonal to the plane; at least 'smallestLength' long.
+    planeNormal :: Vector
+  }
+  deriving stock (Eq, Show)
+
+-- | The plane through a point, orthogonal to a vector; 'Nothing' if the vector is shorter than 'smallestLength'.
+plane :: Point -> Vector -> Maybe Plane
+plane p n
+  | modulus n < smallestLength = Nothing
+  | otherwise = Just (Plane p n)
+
+-- | Where a ray's line meets the plane through P with unit normal n: one parameter or none.
+--
+-- Law: \<n, r(t) - P> is zero at that parameter, to rounding.
+planeParameters :: Point -> Unit -> Ray -> [Double]
+planeParameters p n r = linearRoots (dot (vector n) (direction r)) (dot (vector n) (origin r - p))
+{-# INLINE planeParameters #-}

@@ -1,0 +1,50 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Geometry.Ray
+-- Description : A half-line that looks
+--
+-- > o ----------> d        r(t) = o + t d
+-- >   t = 0    t = 1
+--
+-- The ray of the handout's section 1.3. Its parameter t is the distance from the origin when the direction is unit, as it is for
+-- every ray that leaves the camera; a ray that was carried into another frame keeps its parameters and gives up the unit length.
+module Dioptre.Geometry.Ray
+  ( Ray,
+    ray,
+    origin,
+    direction,
+    position,
+  )
+where
+
+import Dioptre.Math.Vector (Packed, Point, Vector, packed, unpacked, (*^))
+
+-- | An origin and a direction, in world space. The direction is not zero; it need not be of unit length.
+data Ray = Ray {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
+  deriving stock (Eq, Show)
+
+-- | The ray from a point in a direction.
+ray :: Point -> Vector -> Ray
+ray o d = Ray (packed o) (packed d)
+{-# INLINE ray #-}
+
+-- | The point at t = 0.
+origin :: Ray -> Point
+origin (Ray o _) = unpacked o
+{-# INLINE origin #-}
+
+-- | What one unit of t adds.
+direction :: Ray -> Vector
+direction (Ray _ d) = unpacked d
+{-# INLINE direction #-}
+
+-- | The point at a parameter, r(t) = o + t d; behind the origin where t is negative.
+--
+-- Law: moving the origin moves every position by the same vector.
+--
+-- >>> position (ray (V3 1 2 3) (V3 0 0 2)) 1.5
+-- V3 1.0 2.0 6.0
+position :: Ray -> Double -> Point
+position r t = origin r + t *^ direction r
+{-# INLINE position #-}

@@ -1,0 +1,65 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Geometry.Sphere
+-- Description : The sphere
+--
+-- >      .--.
+-- >     (  C-) R       |r - C| = R
+-- >      `--'
+--
+-- With w = o - C, a ray lies on the sphere where A t^2 + B t + C0 = 0: A = \<d, d>, B = 2 \<w, d>, C0 = \<w, w> - R^2. A line
+-- meets the sphere in an interval, whose ends are the two roots, or not at all; a tangent meets it at one parameter, twice.
+-- See Note [Far spheres].
+module Dioptre.Geometry.Sphere
+  ( -- * Constructing
+    Sphere,
+    sphere,
+    sphereCentre,
+    sphereRadius,
+
+    -- * Intersecting
+    sphereParameters,
+    sphereNormal,
+  )
+where
+
+import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Math.Vector (Point, Unit, alongZ, dot, unit)
+
+-- | A sphere.
+data Sphere = Sphere
+  { sphereCentre :: Point,
+    sphereRadius :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The sphere around a point; 'Nothing' unless the radius is greater than zero.
+sphere :: Point -> Double -> Maybe Sphere
+sphere c r
+  | r > 0 = Just (Sphere c r)
+  | otherwise = Nothing
+
+-- | Where a ray's line meets the sphere around C with that squared radius: where it enters and where it leaves.
+--
+-- Law: both points are at the radius from the centre, to the rounding of w (see Note [Far spheres]).
+sphereParameters :: Point -> Double -> Ray -> [Double]
+sphereParameters c radiusSquared r = quadraticRoots (dot d d) (2 * dot w d) (dot w w - radiusSquared)
+  where
+    d = direction r
+    w = origin r - c
+{-# INLINE sphereParameters #-}
+
+-- | The outward unit normal at a point of the sphere: (r - C) \/ |r - C|. (At the centre, which is no point of the
+-- sphere, it is the z axis.)
+sphereNormal :: Point -> Point -> Unit
+sphereNormal c p = maybe alongZ id (unit (p - c))
+{-# INLINE sphereNormal #-}
+
+-- Note [Far spheres]
+-- ~~~~~~~~~~~~~~~~~~
+-- C0 = |w|^2 - R^2 cancels when the origin is near the surface, and B^2 - 4 A C0 when the line is near a tangent. The second is
+-- computed exactly enough by quadraticRoots, for the coefficients that it is given. The first is the rounding of |w|^2 itself, an absolute error of
+-- 2^-52 |w|^2 or so: seen from a distance |w|, the sphere's radius is known to 2^-53 |w|^2 / R. At a distance of a thousand radii that is
+-- 10^-10 R, far below a pixel; it is the rule of the original, kept as it is so that pictures stay the same.

@@ -1,0 +1,71 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Light.Colour
+-- Description : Colours, as amounts of light
+--
+-- A colour is how much there is of red, green and blue, from 0 up without limit, and how opaque it is (alpha, from 0 to 1). It is linear:
+-- colours of lights add. What becomes of it in a picture's bytes is "Dioptre.Picture.Byte"'s affair.
+module Dioptre.Light.Colour
+  ( Colour (..),
+    rgb,
+    black,
+    white,
+    scaled,
+    filtered,
+    plus,
+    named,
+    names,
+  )
+where
+
+import Data.Text (Text)
+import qualified Data.Text as Text
+
+-- | Red, green, blue, alpha. No channel is negative.
+data Colour = Colour
+  { red :: !Double,
+    green :: !Double,
+    blue :: !Double,
+    alpha :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | An opaque colour.
+rgb :: Double -> Double -> Double -> Colour
+rgb r g b = Colour r g b 1
+
+-- | No light, all light.
+black, white :: Colour
+black = rgb 0 0 0
+white = rgb 1 1 1
+
+-- | A colour k times as strong, as opaque as before.
+scaled :: Double -> Colour -> Colour
+scaled k (Colour r g b a) = Colour (k * r) (k * g) (k * b) a
+
+-- | What is left of the first colour's light after the second let it through, channel by channel; as opaque as the first.
+filtered :: Colour -> Colour -> Colour
+filtered (Colour r g b a) (Colour r' g' b' _) = Colour (r * r') (g * g') (b * b') a
+
+-- | Two lights together; as opaque as the first.
+plus :: Colour -> Colour -> Colour
+plus (Colour r g b a) (Colour r' g' b' _) = Colour (r + r') (g + g') (b + b') a
+
+-- | The colour of that name, English or French, in any case.
+named :: Text -> Maybe Colour
+named name = lookup (Text.toLower name) names
+
+-- | The names of colours.
+names :: [(Text, Colour)]
+names =
+  [ (Text.pack name, colour)
+    | (english, french, colour) <-
+        [ ("black", "noir", black),
+          ("white", "blanc", white),
+          ("red", "rouge", rgb 1 0 0),
+          ("green", "vert", rgb 0 1 0),
+          ("blue", "bleu", rgb 0 0 1)
+        ],
+      name <- [english, french]
+  ]

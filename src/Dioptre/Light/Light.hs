@@ -1,0 +1,81 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Light.Light
+-- Description : Sources of light
+--
+-- The closed sum of the lights that a scene can hold. This version reads, checks and writes them; nothing is lit yet.
+module Dioptre.Light.Light
+  ( Light (..),
+    Lamp (..),
+    Wave (..),
+    Aperture (..),
+    Opening (..),
+    attenuates,
+    isVisible,
+  )
+where
+
+import Data.Text (Text)
+import Dioptre.Light.Colour (Colour)
+import Dioptre.Math.Vector (Point, Vector)
+
+-- | A light.
+data Light
+  = -- | From everywhere.
+    Ambient Colour
+  | -- | From infinitely far away; the vector points the way the light travels, and is at least 1e-10 long.
+    Directional Colour Vector
+  | PointLight Lamp
+  | -- | Waves from a row of sources between two points.
+    LinearAperture Lamp Wave (Point, Point)
+  | -- | Waves from a grid of sources in a plane opening.
+    PlanarAperture Opening Lamp Wave Aperture
+  deriving stock (Eq, Show)
+
+-- | What a light at a place has.
+data Lamp = Lamp
+  { lampColour :: Colour,
+    lampPosition :: Point,
+    -- | A factor from 0 up.
+    lampAmplification :: Double,
+    -- | The attenuation at distance D is 1 \/ (constant + linear D + quadratic D^2): these are constant, linear, quadratic.
+    lampAttenuators :: (Double, Double, Double)
+  }
+  deriving stock (Eq, Show)
+
+-- | What a light made of waves has.
+data Wave = Wave
+  { -- | In nanometres.
+    waveLength :: Double,
+    -- | How many instants of a period are summed.
+    wavePeriodIteration :: Int,
+    -- | How many sources stand along the shorter side.
+    waveOscillators :: Int
+  }
+  deriving stock (Eq, Show)
+
+-- | The shape of an opening.
+data Opening
+  = Rectangle
+  | Ellipse
+  | -- | A picture whose white places are open; @none@ is open everywhere.
+    Mask Text
+  deriving stock (Eq, Show)
+
+-- | Where an opening lies and how large it is.
+data Aperture = Aperture
+  { apertureWidth :: Double,
+    apertureHeight :: Double,
+    apertureFront :: Vector,
+    apertureUp :: Vector
+  }
+  deriving stock (Eq, Show)
+
+-- | Whether a lamp's attenuation is possible: not all three attenuators are zero.
+attenuates :: Lamp -> Bool
+attenuates l = lampAttenuators l /= (0, 0, 0)
+
+-- | Whether a wavelength has a colour: 380 to 780 nm.
+isVisible :: Wave -> Bool
+isVisible w = waveLength w >= 380 && waveLength w <= 780

@@ -1,0 +1,29 @@
+-- |
+-- Module      : Dioptre.Render.Parallel
+-- Description : Rows, computed by several workers
+--
+-- Workers take the next row that nobody has, compute it with the pure function, and hand it over. Rows of uneven cost even out; the order in
+-- which rows come is nobody's business, as each knows its place.
+module Dioptre.Render.Parallel
+  ( inParallel,
+  )
+where
+
+import Control.Concurrent.Async (replicateConcurrently_)
+import Control.Monad (when)
+import Data.IORef (atomicModifyIORef', newIORef)
+
+-- | Computes the values of a function at 0, 1, ... n - 1, each once, by that many workers, and hands each over as soon as it
+-- is there. What receives them may be called by several workers at once. An exception ends all of them.
+--
+-- Law: what is handed over does not depend on the number of workers.
+inParallel :: Int -> Int -> (Int -> a) -> (Int -> a -> IO ()) -> IO ()
+inParallel workers n compute receive = do
+  next <- newIORef 0
+  let work = do
+        i <- atomicModifyIORef' next (\i -> (i + 1, i))
+        when (i < n) $ do
+          let value = compute i
+          value `seq` receive i value
+          work
+  replicateConcurrently_ (max 1 (min n workers)) work

@@ -1,0 +1,162 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Scene.Configuration
+-- Description : configuration.cfg, and lists of pictures to compare
+--
+-- What the program does when it is run without arguments. The file has the scene language's lines, but no objects: each line is
+-- a property.
+module Dioptre.Scene.Configuration
+  ( -- * The configuration
+    Configuration (..),
+    Application (..),
+    applicationNames,
+    checkConfiguration,
+    startingConfiguration,
+    configurationFile,
+    defaultSceneFile,
+    describeConfiguration,
+
+    -- * Lists to compare
+    checkComparisons,
+    writeComparisons,
+  )
+where
+
+import Control.Monad (foldM)
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (fromMaybe)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Dioptre.Scene.Form (Form (..), booleanForm, choice, integerWithin, optionally, outputName, outputNameEnding, text)
+import Dioptre.Scene.Schema
+import Dioptre.Source.Diagnostic (Diagnostic, Expectation, PassedOver (TheLine), Problem (..), Refusal (NameTaken))
+import Dioptre.Source.Language (Language, languageNames)
+import Dioptre.Source.Span (wholeFile)
+import Dioptre.Syntax.Keyword (Keyword)
+import qualified Dioptre.Syntax.Keyword as Keyword
+import Dioptre.Syntax.Print (Outline (Group), printOutline)
+import Dioptre.Syntax.Tree (Block (..), Closing (ByEnd), Head (..), Node (..), Property (..), Tree)
+
+-- | What a configuration says.
+data Configuration = Configuration
+  { configurationApplication :: Application,
+    -- | The scene, or the list of pictures to compare.
+    configurationRead :: Text,
+    -- | Where the scene is written back, whole.
+    configurationWrite :: Text,
+    configurationLogName :: Text,
+    -- | Whether messages go to the console.
+    configurationLogConsole :: Bool,
+    -- | Whether messages go to the log.
+    configurationLogFile :: Bool,
+    -- | The number that the next picture tries first, from 0 to 999.
+    configurationImageCount :: Int,
+    -- | The language of messages; 'Nothing' for the locale's.
+    configurationLanguage :: Maybe Language
+  }
+  deriving stock (Eq, Show)
+
+-- | What to run.
+data Application
+  = RunNothing
+  | RunInfo
+  | RunConsole
+  | RunFrame
+  | RunComparator
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | The applications' names; the position of each is its number.
+applicationNames :: [(Text, Application)]
+applicationNames = zip ["none", "info", "console", "frame", "comparator"] [minBound ..]
+
+-- | The name of the configuration's file.
+configurationFile :: FilePath
+configurationFile = "configuration.cfg"
+
+-- | The name of the scene that is built in; no file of this name is read.
+defaultSceneFile :: Text
+defaultSceneFile = "default_scene.txt"
+
+-- | The configuration that a tree describes, and all that is wrong with it. What is written never bears the name of what is read, or of
+-- the other thing that is written.
+checkConfiguration :: Tree -> (Configuration, [Diagnostic])
+checkConfiguration tree = runCheck $ do
+  read' <- fromMaybe unsaid <$> readWholeFile schema "configuration" tree
+  written <- apart Keyword.WriteData outputName [configurationRead read'] (configurationWrite read') (configurationWrite unsaid)
+  logged <- apart Keyword.LogFileName logName [configurationRead read', written] (configurationLogName read') (configurationLogName unsaid)
+  pure read' {configurationWrite = written, configurationLogName = logged}
+  where
+    apart word form others name instead
+      | not (clashes name) = pure name
+      | otherwise = do
+        let free = if clashes instead then "dioptre_" <> instead else instead
+        report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) free)
+        pure free
+      where
+        place = fromMaybe wholeFile (placeOfValue word (Block (Head wholeFile "" Nothing) tree (ByEnd wholeFile)))
+        clashes t = Text.toCaseFold t `elem` map Text.toCaseFold (Text.pack configurationFile : others)
+
+-- | A configuration of which nothing is said.
+unsaid :: Configuration
+unsaid = Configuration RunNothing "read_data_file_name.txt" "write_data_file_name.txt" "log.txt" True True 0 Nothing
+
+-- | The configuration that is written where there is none.
+startingConfiguration :: Text
+startingConfiguration =
+  printOutline . writeProperties schema $
+    unsaid {configurationApplication = RunInfo, configurationRead = defaultSceneFile, configurationWrite = "out.txt"}
+
+-- | The properties of a configuration: their words, what they expect, their defaults.
+describeConfiguration :: [([Keyword], Expectation, [Text])]
+describeConfiguration = describe schema
+
+schema :: Schema Configuration Configuration
+schema =
+  Schema
+    Keyword.Application
+    unsaid
+    [ one Keyword.Application (choice applicationNames) configurationApplication (\v c -> c {configurationApplication = v}),
+      one Keyword.ReadData text configurationRead (\v c -> c {configurationRead = v}),
+      one Keyword.WriteData outputName configurationWrite (\v c -> c {configurationWrite = v}),
+      one Keyword.LogFileName logName configurationLogName (\v c -> c {configurationLogName = v}),
+      one Keyword.LogConsole booleanForm configurationLogConsole (\v c -> c {configurationLogConsole = v}),
+      one Keyword.LogFile booleanForm configurationLogFile (\v c -> c {configurationLogFile = v}),
+      one Keyword.ViewportImageCount (integerWithin 0 999) configurationImageCount (\v c -> c {configurationImageCount = v}),
+      one Keyword.Language languageForm configurationLanguage (\v c -> c {configurationLanguage = v})
+    ]
+    Nothing
+    Right
+    id
+  where
+    languageForm = optionally (choice languageNames)
+
+logName :: Form Text
+logName = outputNameEnding ".txt"
+
+-- | Pairs of files to compare: blocks @texture_comparator@ of two lines @file@ each.
+checkComparisons :: Tree -> ([(Text, Text)], [Diagnostic])
+checkComparisons tree = runCheck (reverse <$> foldM item [] tree)
+  where
+    item pairs node = case node of
+      Object block | headKeyword (blockHead block) == Just Keyword.TextureComparator -> maybe pairs (: pairs) <$> readObject (const (pure Nothing)) comparison block
+      Object block -> pairs <$ passOver Nothing words' block
+      Statement p -> pairs <$ report (headSpan (propertyHead p)) (misfit Nothing words' (propertyHead p) TheLine)
+      LooseEnd word -> pairs <$ report (headSpan word) (StrayEnd (headText word))
+      OpenComment place -> pairs <$ report place UnclosedComment
+    words' = [Keyword.TextureComparator]
+
+-- | The list as a file.
+writeComparisons :: [(Text, Text)] -> Text
+writeComparisons = printOutline . map (Group (schemaKeyword comparison) . writeProperties comparison)
+
+comparison :: Schema (Text, Text) (Text, Text)
+comparison =
+  Schema
+    Keyword.TextureComparator
+    ("none", "none")
+    [several (Keyword.File :| []) text (Slot fst (\a (_, b) -> Right (a, b)) :| [Slot snd (\b (a, _) -> Right (a, b))])]
+    Nothing
+    Right
+    id

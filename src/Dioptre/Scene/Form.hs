@@ -1,0 +1,226 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Scene.Form
+-- Description : The forms of values, read and written
+--
+-- What a property can be given: real numbers in a range, vectors, colours, words. A form knows how to read a value from its text, why it
+-- refuses one, what it wants instead, and how to write one, so that whatever is written can be read.
+--
+-- Law: reading what a form wrote gives the same value.
+module Dioptre.Scene.Form
+  ( Form (..),
+
+    -- * Numbers
+    realWithin,
+    realFrom,
+    realThatIsAny,
+    positive,
+    count,
+    integerWithin,
+
+    -- * Vectors and colours
+    vectorForm,
+    directionForm,
+    scaleForm,
+    textureForm,
+    colourForm,
+
+    -- * Words
+    choice,
+    booleanForm,
+    text,
+    outputName,
+    outputNameEnding,
+
+    -- * Variations
+    withUnit,
+    optionally,
+  )
+where
+
+import Data.Char (isControl)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Dioptre.Light.Colour (Colour (..), named, names)
+import Dioptre.Math.Tolerance (smallestLength)
+import Dioptre.Math.Vector (V3 (..), Vector, modulus)
+import Dioptre.Source.Diagnostic (Expectation (..), Range (..), Refusal (..))
+import Dioptre.Source.Span (Span)
+import Dioptre.Syntax.Spelling (suggest)
+import Dioptre.Syntax.Tree (Value (..))
+import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, showReal, tokens)
+import Linear.V2 (V2 (..))
+
+-- | How values of a type are read, expected and written. A refusal carries the place that it is about.
+data Form v = Form
+  { formExpectation :: Expectation,
+    formRead :: Value -> Either (Span, Refusal) v,
+    formShow :: v -> Text
+  }
+
+-- | A form of one token; what follows the token is ignored.
+scalar :: Expectation -> (Text -> Either Refusal v) -> (v -> Text) -> Form v
+scalar expectation reads' = Form expectation $ \value -> case tokens value of
+  [] -> Left (valueSpan value, NothingThere)
+  token : _ -> at token reads'
+
+at :: Token -> (Text -> Either Refusal v) -> Either (Span, Refusal) v
+at token reads' = either (Left . (,) (tokenSpan token)) Right (reads' (tokenText token))
+
+-- | A real number between two others, ends included.
+realWithin :: Double -> Double -> Form Double
+realWithin low high = realThat (Between (showReal low) (showReal high)) (\x -> low <= x && x <= high)
+
+-- | A real number not less than another.
+realFrom :: Double -> Form Double
+realFrom low = realThat (AtLeast (showReal low)) (>= low)
+
+-- | Any real number.
+realThatIsAny :: Form Double
+realThatIsAny = realThat AnyNumber (const True)
+
+-- | A real number greater than zero, which is to say at least 'smallestLength'.
+positive :: Form Double
+positive = realFrom smallestLength
+
+realThat :: Range -> (Double -> Bool) -> Form Double
+realThat range fits = scalar (ARealNumber range) (\t -> real t >>= inside t) showReal
+  where
+    inside t x = if fits x then Right x else Left (OutOfRange t)
+
+-- | An integer from a smallest one up.
+count :: Int -> Form Int
+count low = integerThat (AtLeast (showInt low)) low (fromInteger largestInteger)
+
+-- | An integer between two others, ends included.
+integerWithin :: Int -> Int -> Form Int
+integerWithin low high = integerThat (Between (showInt low) (showInt high)) low high
+
+integerThat :: Range -> Int -> Int -> Form Int
+integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= inside t) showInt
+  where
+    inside t n = if low <= n && n <= high then Right n else Left (OutOfRange t)
+
+showInt :: Int -> Text
+showInt = Text.pack . show
+
+-- | Three real numbers.
+vectorForm :: Form Vector
+vectorForm = Form AVector vector3 showVector
+
+-- | Three real numbers that make a vector of at least 'smallestLength'.
+directionForm :: Form Vector
+directionForm = Form ADirection reads' showVector
+  where
+    reads' value = vector3 value >>= \v -> if modulus v < smallestLength then Left (valueSpan value, ZeroVector) else Right v
+
+-- | Three real numbers, none of them zero.
+scaleForm :: Form Vector
+scaleForm = Form AVectorWithoutZero reads' showVector
+  where
+    reads' value = vector3 value >>= \v -> if any (== 0) v then Left (valueSpan value, ZeroComponent) else Right v
+
+vector3 :: Value -> Either (Span, Refusal) Vector
+vector3 value = case tokens value of
+  [x, y, z] -> V3 <$> at x real <*> at y real <*> at z real
+  others -> Left (wrongCount value 3 others)
+
+showVector :: Vector -> Text
+showVector (V3 x y z) = list "[" "]" [x, y, z]
+
+-- | Two real numbers.
+textureForm :: Form (V2 Double)
+textureForm = Form TwoCoordinates reads' (\(V2 u v) -> list "[" "]" [u, v])
+  where
+    reads' value = case tokens value of
+      [u, v] -> V2 <$> at u real <*> at v real
+      others -> Left (wrongCount value 2 others)
+
+-- | A name, a name and an alpha, three channels, or three channels and an alpha.
+colourForm :: Form Colour
+colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> list "[ " " ]" [r, g, b, a])
+  where
+    reads' value = case tokens value of
+      [name] -> at name byName
+      [name, a] -> (\(Colour r g b _) -> Colour r g b) <$> at name byName <*> at a channel
+      [r, g, b] -> Colour <$> at r channel <*> at g channel <*> at b channel <*> pure 1
+      [r, g, b, a] -> Colour <$> at r channel <*> at g channel <*> at b channel <*> at a channel
+      others -> Left (wrongCount value 4 others)
+    byName t = maybe (Left (NoSuchChoice t (suggest (map fst names) t))) Right (named t)
+    channel t = real t >>= \x -> if x >= 0 then Right x else Left (OutOfRange t)
+
+list :: Text -> Text -> [Double] -> Text
+list open close xs = open <> Text.intercalate ", " (map showReal xs) <> close
+
+-- | Too few tokens are a fault of the whole value; too many, of those that are too many.
+wrongCount :: Value -> Int -> [Token] -> (Span, Refusal)
+wrongCount value wanted found = case drop wanted found of
+  [] | null found -> (valueSpan value, NothingThere)
+  [] -> (valueSpan value, WrongCount wanted (length found) False)
+  extra : _ -> (tokenSpan extra, WrongCount wanted (length found) (Text.take 1 (tokenText extra) `elem` ["#", "/", "*", "!", "@"]))
+
+-- | One of some words, in any case, or its number counted from 0; written as the word.
+choice :: Eq v => [(Text, v)] -> Form v
+choice options = scalar (AChoice (map fst options)) reads' (\v -> maybe "" fst (lookupValue v))
+  where
+    lookupValue v = case filter ((== v) . snd) options of
+      found : _ -> Just found
+      [] -> Nothing
+    reads' t = case lookup (Text.toLower t) options of
+      Just v -> Right v
+      Nothing -> case integer t of
+        Right n | n >= 0, (_, v) : _ <- drop n options -> Right v
+        Right _ -> Left (OutOfRange t)
+        Left _ -> Left (NoSuchChoice t (suggest (map fst options) t))
+
+-- | Yes or no, in words or as a number (0 is no).
+booleanForm :: Form Bool
+booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
+  where
+    reads' t
+      | lower `elem` yes = Right True
+      | lower `elem` no = Right False
+      | otherwise = case integer t of
+        Right n | n >= 0 -> Right (n > 0)
+        Right _ -> Left (OutOfRange t)
+        Left _ -> Left (NoSuchChoice t (suggest (yes <> no) t))
+      where
+        lower = Text.toLower t
+    yes = ["true", "vrai", "yes", "oui", "on"]
+    no = ["false", "faux", "no", "non", "off"]
+
+-- | The rest of the line, as it is.
+text :: Form Text
+text = textThat SomeText (const Nothing)
+
+-- | The name of a file that the program writes: no folder, no control character.
+outputName :: Form Text
+outputName = textThat AnOutputName unsafe
+
+-- | The same, with an ending that is to be there, in any case.
+outputNameEnding :: Text -> Form Text
+outputNameEnding ending = textThat (AnOutputNameEnding ending) $ \t ->
+  case unsafe t of
+    Nothing | not (ending `Text.isSuffixOf` Text.toLower t) -> Just WrongEnding
+    refusal -> refusal
+
+unsafe :: Text -> Maybe Refusal
+unsafe t
+  | Text.any (\c -> c == '/' || c == '\\' || isControl c) t = Just UnsafeName
+  | otherwise = Nothing
+
+textThat :: Expectation -> (Text -> Maybe Refusal) -> Form Text
+textThat expectation refuses = Form expectation reads' id
+  where
+    reads' (Value place t)
+      | Text.null t = Left (place, NothingThere)
+      | otherwise = maybe (Right t) (Left . (,) place) (refuses t)
+
+-- | The same form, written with a unit after it (which reading ignores).
+withUnit :: Text -> Form v -> Form v
+withUnit unitName form = form {formShow = \v -> formShow form v <> " " <> unitName}
+
+-- | The same form for a value that need not be there. There is nothing to write where it is not.
+optionally :: Form v -> Form (Maybe v)
+optionally form = Form (formExpectation form) (fmap Just . formRead form) (maybe "" (formShow form))

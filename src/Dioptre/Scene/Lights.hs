@@ -1,0 +1,195 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Scene.Lights
+-- Description : The lights of the scene language
+module Dioptre.Scene.Lights
+  ( readLight,
+    writeLight,
+    describeLights,
+  )
+where
+
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Text (Text)
+import Dioptre.Light.Colour (Colour, white)
+import Dioptre.Light.Light
+import Dioptre.Math.Tolerance (smallestLength)
+import Dioptre.Math.Vector (Point, V3 (..), Vector, cross, modulus)
+import Dioptre.Scene.Form (colourForm, count, positive, realFrom, text, vectorForm, withUnit)
+import Dioptre.Scene.Schema
+import Dioptre.Scene.Shapes (readShape, writeShape)
+import Dioptre.Source.Diagnostic (Expectation, Flaw (..))
+import Dioptre.Syntax.Keyword (Keyword)
+import qualified Dioptre.Syntax.Keyword as Keyword
+import Dioptre.Syntax.Print (Outline)
+import Dioptre.Syntax.Tree (Block (..), Head (..))
+
+-- | The light that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no light's.
+readLight :: Block -> Check (Maybe Light)
+readLight block = case headKeyword (blockHead block) of
+  Just Keyword.AmbientLight -> through ambientSchema
+  Just Keyword.DirectionalLight -> through directionalSchema
+  Just Keyword.PointLight -> through pointSchema
+  Just Keyword.LinearApertureLight -> through linearSchema
+  Just Keyword.RectangularApertureLight -> through (planarSchema Keyword.RectangularApertureLight Rectangle)
+  Just Keyword.EllipticalApertureLight -> through (planarSchema Keyword.EllipticalApertureLight Ellipse)
+  Just Keyword.ApertureMaskLight -> through maskSchema
+  _ -> pure Nothing
+  where
+    through :: Schema a Light -> Check (Maybe Light)
+    through schema = readObject readShape schema block
+
+-- | A light in the scene language.
+writeLight :: Light -> Outline
+writeLight source = case source of
+  Ambient _ -> write ambientSchema
+  Directional _ _ -> write directionalSchema
+  PointLight _ -> write pointSchema
+  LinearAperture {} -> write linearSchema
+  PlanarAperture Rectangle _ _ _ -> write (planarSchema Keyword.RectangularApertureLight Rectangle)
+  PlanarAperture Ellipse _ _ _ -> write (planarSchema Keyword.EllipticalApertureLight Ellipse)
+  PlanarAperture (Mask _) _ _ _ -> write maskSchema
+  where
+    write :: Schema a Light -> Outline
+    write schema = writeObject writeShape schema source
+
+-- | Every light's word with its properties: their words, what they expect, their defaults.
+describeLights :: [(Keyword, [([Keyword], Expectation, [Text])])]
+describeLights =
+  [ of' ambientSchema,
+    of' directionalSchema,
+    of' pointSchema,
+    of' linearSchema,
+    of' (planarSchema Keyword.RectangularApertureLight Rectangle),
+    of' (planarSchema Keyword.EllipticalApertureLight Ellipse),
+    of' maskSchema
+  ]
+  where
+    of' :: Schema a b -> (Keyword, [([Keyword], Expectation, [Text])])
+    of' schema = (schemaKeyword schema, describe schema)
+
+-- | What any light's draft can hold. Each kind of light reads and keeps its own part.
+data Draft = Draft
+  { draftColour :: Colour,
+    draftOrientation :: Vector,
+    draftLamp :: Lamp,
+    draftWave :: Wave,
+    draftEnds :: (Point, Point),
+    draftAperture :: Aperture,
+    draftMask :: Text
+  }
+
+defaultDraft :: Draft
+defaultDraft =
+  Draft
+    { draftColour = white,
+      draftOrientation = V3 0 0 (-1),
+      draftLamp = Lamp white 0 1 (1, 0, 0),
+      draftWave = Wave 550 10 2,
+      draftEnds = (0, V3 0 0.0001 0),
+      draftAperture = Aperture 0.001 0.001 (V3 0 0 1) (V3 0 1 0),
+      draftMask = "none"
+    }
+
+light :: Keyword -> [Property Draft] -> (Draft -> Either Flaw Light) -> Schema Draft Light
+light word properties build = Schema word defaultDraft properties Nothing build open
+
+open :: Light -> Draft
+open l = case l of
+  Ambient c -> defaultDraft {draftColour = c}
+  Directional c v -> defaultDraft {draftColour = c, draftOrientation = v}
+  PointLight lamp -> defaultDraft {draftLamp = lamp}
+  LinearAperture lamp wave ends -> defaultDraft {draftLamp = lamp, draftWave = wave, draftEnds = ends}
+  PlanarAperture opening lamp wave aperture ->
+    defaultDraft {draftLamp = lamp, draftWave = wave, draftAperture = aperture, draftMask = case opening of Mask m -> m; _ -> "none"}
+
+ambientSchema, directionalSchema, pointSchema, linearSchema, maskSchema :: Schema Draft Light
+ambientSchema = light Keyword.AmbientLight [colour] (Right . Ambient . draftColour)
+directionalSchema =
+  light
+    Keyword.DirectionalLight
+    [colour, one Keyword.Orientation vectorForm draftOrientation (\v d -> d {draftOrientation = v})]
+    ( \d ->
+        if modulus (draftOrientation d) < smallestLength
+          then Left ZeroOrientation
+          else Right (Directional (draftColour d) (draftOrientation d))
+    )
+pointSchema = light Keyword.PointLight (lampColourProperty : lampPositionProperty : lampProperties) (fmap PointLight . buildLamp)
+linearSchema =
+  light Keyword.LinearApertureLight (lampColourProperty : ends : lampProperties <> waveProperties) $ \d ->
+    LinearAperture <$> buildLamp d <*> buildWave d <*> pure (draftEnds d)
+  where
+    ends =
+      within draftEnds (\e d -> d {draftEnds = e}) . several (Keyword.Position :| [Keyword.Point]) vectorForm $
+        Slot fst (\a (_, b) -> Right (a, b)) :| [Slot snd (\b (a, _) -> Right (a, b))]
+maskSchema =
+  light Keyword.ApertureMaskLight (apertureProperties <> [one Keyword.Mask text draftMask (\m d -> d {draftMask = m})]) $ \d ->
+    buildPlanar (Mask (draftMask d)) d
+
+planarSchema :: Keyword -> Opening -> Schema Draft Light
+planarSchema word opening = light word apertureProperties (buildPlanar opening)
+
+buildLamp :: Draft -> Either Flaw Lamp
+buildLamp d
+  | attenuates (draftLamp d) = Right (draftLamp d)
+  | otherwise = Left NoAttenuation
+
+buildWave :: Draft -> Either Flaw Wave
+buildWave d
+  | isVisible (draftWave d) = Right (draftWave d)
+  | otherwise = Left InvisibleWavelength
+
+buildPlanar :: Opening -> Draft -> Either Flaw Light
+buildPlanar opening d = do
+  lamp <- buildLamp d
+  wave <- buildWave d
+  let aperture = draftAperture d
+      front = apertureFront aperture
+  if modulus front < smallestLength || modulus (cross front (apertureUp aperture)) < smallestLength
+    then Left UpAlongFront
+    else Right (PlanarAperture opening lamp wave aperture)
+
+colour :: Property Draft
+colour = one Keyword.Color colourForm draftColour (\v d -> d {draftColour = v})
+
+lampColourProperty, lampPositionProperty :: Property Draft
+lampColourProperty = onLamp (one Keyword.Color colourForm lampColour (\v l -> l {lampColour = v}))
+lampPositionProperty = onLamp (one Keyword.Position vectorForm lampPosition (\v l -> l {lampPosition = v}))
+
+onLamp :: Property Lamp -> Property Draft
+onLamp = within draftLamp (\l d -> d {draftLamp = l})
+
+lampProperties :: [Property Draft]
+lampProperties =
+  map
+    onLamp
+    [ one Keyword.Amplification (realFrom 0) lampAmplification (\v l -> l {lampAmplification = v}),
+      attenuator Keyword.ConstantAttenuator (\(c, _, _) -> c) (\c (_, l, q) -> (c, l, q)),
+      attenuator Keyword.LinearAttenuator (\(_, l, _) -> l) (\l (c, _, q) -> (c, l, q)),
+      attenuator Keyword.QuadraticAttenuator (\(_, _, q) -> q) (\q (c, l, _) -> (c, l, q))
+    ]
+  where
+    attenuator word get put =
+      one word (realFrom 0) (get . lampAttenuators) (\v l -> l {lampAttenuators = put v (lampAttenuators l)})
+
+waveProperties :: [Property Draft]
+waveProperties =
+  map
+    (within draftWave (\w d -> d {draftWave = w}))
+    [ one Keyword.WaveLength (withUnit "nm" positive) waveLength (\v w -> w {waveLength = v}),
+      one Keyword.PeriodIteration (count 1) wavePeriodIteration (\v w -> w {wavePeriodIteration = v}),
+      one Keyword.NbOscillator (count 0) waveOscillators (\v w -> w {waveOscillators = v})
+    ]
+
+apertureProperties :: [Property Draft]
+apertureProperties =
+  (lampColourProperty : lampPositionProperty : lampProperties)
+    <> waveProperties
+    <> map
+      (within draftAperture (\a d -> d {draftAperture = a}))
+      [ one Keyword.Width positive apertureWidth (\v a -> a {apertureWidth = v}),
+        one Keyword.Height positive apertureHeight (\v a -> a {apertureHeight = v}),
+        one Keyword.Front vectorForm apertureFront (\v a -> a {apertureFront = v}),
+        one Keyword.Up vectorForm apertureUp (\v a -> a {apertureUp = v})
+      ]

@@ -1,0 +1,64 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Scene.Materials
+-- Description : The materials of the scene language
+module Dioptre.Scene.Materials
+  ( materialSchema,
+    textureMaterialSchema,
+    writeMaterial,
+  )
+where
+
+import Data.Maybe (fromMaybe)
+import Dioptre.Light.Material (Material (..), Textures (..), standard)
+import Dioptre.Math.Tolerance (smallestLength)
+import Dioptre.Scene.Form (colourForm, realWithin, text)
+import Dioptre.Scene.Schema (Property, Schema (..), one, within, writeObject)
+import Dioptre.Scene.Shapes (writeShape)
+import qualified Dioptre.Syntax.Keyword as Keyword
+import Dioptre.Syntax.Print (Outline)
+
+-- | How the scene language writes a plain material.
+materialSchema :: Schema Material Material
+materialSchema = Schema Keyword.Material standard properties Nothing Right id
+
+-- | How it writes one with pictures.
+textureMaterialSchema :: Schema (Material, Textures) Material
+textureMaterialSchema =
+  Schema
+    Keyword.TextureMaterial
+    (standard, noTextures)
+    ( map (within fst (\m (_, ts) -> (m, ts))) properties
+        <> [ one Keyword.TextureKa text (textureKa . snd) (\t (m, ts) -> (m, ts {textureKa = t})),
+             one Keyword.TextureKd text (textureKd . snd) (\t (m, ts) -> (m, ts {textureKd = t})),
+             one Keyword.TextureKs text (textureKs . snd) (\t (m, ts) -> (m, ts {textureKs = t}))
+           ]
+    )
+    Nothing
+    (\(m, ts) -> Right m {materialTextures = Just ts})
+    (\m -> (m, fromMaybe noTextures (materialTextures m)))
+  where
+    noTextures = Textures "none" "none" "none"
+
+-- | A material in the scene language.
+writeMaterial :: Material -> Outline
+writeMaterial m = case materialTextures m of
+  Nothing -> writeObject writeShape materialSchema m
+  Just _ -> writeObject writeShape textureMaterialSchema m
+
+properties :: [Property Material]
+properties =
+  [ one Keyword.Name text materialName (\v m -> m {materialName = v}),
+    one Keyword.Color colourForm materialColour (\v m -> m {materialColour = v}),
+    one Keyword.Ka fraction materialKa (\v m -> m {materialKa = v}),
+    one Keyword.Kd fraction materialKd (\v m -> m {materialKd = v}),
+    one Keyword.Ks fraction materialKs (\v m -> m {materialKs = v}),
+    one Keyword.Kr fraction materialKr (\v m -> m {materialKr = v}),
+    one Keyword.Kt fraction materialKt (\v m -> m {materialKt = v}),
+    one Keyword.Shininess (realWithin 0 200) materialShininess (\v m -> m {materialShininess = v}),
+    one Keyword.Plasticity fraction materialPlasticity (\v m -> m {materialPlasticity = v}),
+    one Keyword.RefractiveIndex (realWithin smallestLength 10) materialRefractiveIndex (\v m -> m {materialRefractiveIndex = v})
+  ]
+  where
+    fraction = realWithin 0 1

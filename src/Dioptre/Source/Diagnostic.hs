@@ -1,0 +1,255 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Source.Diagnostic
+-- Description : What can be wrong with a scene, as data
+--
+-- A mistake in a file is a value: one constructor per kind of mistake, carrying what a person needs to know of it. Nothing
+-- is fatal. The texts stand in "Dioptre.Source.Message", in two languages; what they look like on a terminal, in a log and
+-- in JSON stands in "Dioptre.Source.Report".
+module Dioptre.Source.Diagnostic
+  ( -- * Diagnostics
+    Diagnostic (..),
+    Severity (..),
+    severity,
+    code,
+
+    -- * What is wrong
+    Problem (..),
+    PassedOver (..),
+
+    -- * Values
+    Expectation (..),
+    Range (..),
+    Refusal (..),
+
+    -- * Objects
+    Flaw (..),
+  )
+where
+
+import Data.Text (Text)
+import Dioptre.Source.Span (Span)
+
+-- | Something to say about a place in a file.
+data Diagnostic = Diagnostic
+  { diagnosticSpan :: Span,
+    diagnosticProblem :: Problem
+  }
+  deriving stock (Eq, Show)
+
+-- | How much it matters. An error is a text that does not mean what it says; a warning is a picture that may not be the one
+-- that was meant; a note is for information. @check@ and @--strict@ fail on errors and warnings.
+data Severity = Note | Warning | Error
+  deriving stock (Eq, Ord, Show)
+
+-- | One constructor per kind of mistake. Names of words and objects are given as they are written in the file.
+data Problem
+  = -- | A word that the language does not have; the words that may stand here; the one that may have been meant; what is passed over.
+    UnknownWord Text [Text] (Maybe Text) PassedOver
+  | -- | A word of the language where it says nothing; the object it stands in (none at the level of the file); the words that may stand there.
+    MisplacedWord Text (Maybe Text) [Text] PassedOver
+  | -- | An @end@ where nothing is open.
+    StrayEnd Text
+  | -- | A word that is taken for @end@.
+    MisspeltEnd Text
+  | -- | An object that is never closed: what it is, and the word and line that closed it (none: the end of the file).
+    MissingEnd Text (Maybe (Text, Int))
+  | -- | A block comment that is never closed.
+    UnclosedComment
+  | -- | A value that cannot be used: of which property, why, what was expected, what is used instead.
+    RefusedValue Text Refusal Expectation Text
+  | -- | A property given more often than it can be: which, and how often it can.
+    RepeatedProperty Text Int
+  | -- | A second shape in an object that has one.
+    SecondShape Text
+  | -- | An object that its values do not make: what, and why.
+    ImpossibleObject Text Flaw
+  | -- | A primitive that does not name its material.
+    NoMaterialName
+  | -- | A primitive whose material is not in the scene; a name that may have been meant.
+    MissingMaterial Text (Maybe Text)
+  | -- | A material whose name is taken: the name, and the line of the one that counts.
+    RepeatedMaterial Text Int
+  | -- | A camera, viewport or raytracer that replaces an earlier one: what, and the earlier one's line.
+    ReplacedObject Text Int
+  | -- | Something that is read and kept, but not drawn by this version.
+    NotDrawnYet Text
+  | -- | A reflexion algorithm that this version draws as @no_light@.
+    NotLitYet Text
+  | -- | Several rays through the very same point of each pixel.
+    SamplingWithoutRandom Int
+  deriving stock (Eq, Show)
+
+-- | What is left unread because of a mistake.
+data PassedOver
+  = -- | The one line.
+    TheLine
+  | -- | An object, whole, down to that line.
+    TheObject Int
+  deriving stock (Eq, Show)
+
+-- | What a property wants.
+data Expectation
+  = ARealNumber Range
+  | AnInteger Range
+  | -- | Three real numbers.
+    AVector
+  | -- | Three real numbers, none of them zero.
+    AVectorWithoutZero
+  | -- | Three real numbers that make a vector at least 1e-10 long.
+    ADirection
+  | -- | Two real numbers.
+    TwoCoordinates
+  | -- | A name, or three or four real numbers from 0 up.
+    AColour [Text]
+  | ABoolean
+  | -- | One of these words, or its number counted from 0.
+    AChoice [Text]
+  | -- | Text up to the end of the line.
+    SomeText
+  | -- | The name of a file to write, in the working directory.
+    AnOutputName
+  | -- | The same, ending in this.
+    AnOutputNameEnding Text
+  deriving stock (Eq, Show)
+
+-- | The numbers that a property admits, both ends included. They are written as the language writes numbers.
+data Range
+  = AnyNumber
+  | AtLeast Text
+  | Between Text Text
+  deriving stock (Eq, Show)
+
+-- | Why a value cannot be used.
+data Refusal
+  = -- | The line ends before the value.
+    NothingThere
+  | NotANumber Text
+  | NotAnInteger Text
+  | -- | A number of a magnitude above 1e100, or an integer beyond 32 bits.
+    TooLarge Text
+  | OutOfRange Text
+  | -- | So many values were expected, so many found; whether the first too many begins a comment.
+    WrongCount Int Int Bool
+  | -- | A word that is not one of those; the one that may have been meant.
+    NoSuchChoice Text (Maybe Text)
+  | -- | A name that would lead out of the working directory, or that holds a control character.
+    UnsafeName
+  | -- | A name that another file bears already.
+    NameTaken
+  | -- | A name with another ending.
+    WrongEnding
+  | -- | A direction without one.
+    ZeroVector
+  | -- | A scale factor of zero.
+    ZeroComponent
+  | -- | A point that was given already.
+    SamePoint
+  deriving stock (Eq, Show)
+
+-- | Why an object cannot be what it says.
+data Flaw
+  = -- | There is no shape in it.
+    WithoutShape
+  | -- | It has no extent.
+    ZeroSize
+  | -- | The normal is shorter than 1e-10.
+    ZeroNormal
+  | -- | The camera's position and what it looks at are nearer than 1e-10.
+    NowhereToLook
+  | -- | The camera's (or light's) up is parallel to its front.
+    UpAlongFront
+  | -- | The far clipping plane is nearer than the near one.
+    FarBeforeNear
+  | -- | The three corners lie on one line.
+    CollinearPoints
+  | -- | The two ends of an axis are one point.
+    EqualPoints
+  | -- | The inner radius is greater than the outer one.
+    InnerBeyondOuter
+  | -- | A sphere of that curvature does not reach the rim.
+    CurvatureBelowRadius
+  | -- | The two faces of the lens meet inside the rim.
+    LensTooThin
+  | -- | The light has no direction.
+    ZeroOrientation
+  | -- | The three attenuators are zero.
+    NoAttenuation
+  | -- | The wavelength is not visible: outside 380 to 780 nm.
+    InvisibleWavelength
+  | -- | The picture has more pixels than that.
+    TooManyPixels Int
+  deriving stock (Eq, Show)
+
+-- | How much a problem matters.
+severity :: Problem -> Severity
+severity = \case
+  NoMaterialName -> Note
+  ReplacedObject {} -> Note
+  NotDrawnYet {} -> Note
+  NotLitYet {} -> Warning
+  MissingMaterial {} -> Warning
+  RepeatedMaterial {} -> Warning
+  SamplingWithoutRandom {} -> Warning
+  _ -> Error
+
+-- | The stable name of a kind of problem, for programs.
+--
+-- >>> code UnclosedComment
+-- "unclosed-comment"
+code :: Problem -> Text
+code = \case
+  UnknownWord {} -> "unknown-word"
+  MisplacedWord {} -> "misplaced-word"
+  StrayEnd {} -> "stray-end"
+  MisspeltEnd {} -> "misspelt-end"
+  MissingEnd {} -> "missing-end"
+  UnclosedComment -> "unclosed-comment"
+  RefusedValue _ refusal _ _ -> refusalCode refusal
+  RepeatedProperty {} -> "repeated-property"
+  SecondShape {} -> "second-shape"
+  ImpossibleObject _ flaw -> flawCode flaw
+  NoMaterialName -> "no-material-name"
+  MissingMaterial {} -> "missing-material"
+  RepeatedMaterial {} -> "repeated-material"
+  ReplacedObject {} -> "replaced-object"
+  NotDrawnYet {} -> "not-drawn-yet"
+  NotLitYet {} -> "not-lit-yet"
+  SamplingWithoutRandom {} -> "sampling-without-random"
+
+refusalCode :: Refusal -> Text
+refusalCode = \case
+  NothingThere -> "missing-value"
+  NotANumber {} -> "not-a-number"
+  NotAnInteger {} -> "not-an-integer"
+  TooLarge {} -> "number-too-large"
+  OutOfRange {} -> "out-of-range"
+  WrongCount {} -> "wrong-count"
+  NoSuchChoice {} -> "unknown-choice"
+  UnsafeName -> "unsafe-name"
+  NameTaken -> "name-taken"
+  WrongEnding -> "wrong-ending"
+  ZeroVector -> "zero-vector"
+  ZeroComponent -> "zero-component"
+  SamePoint -> "same-point"
+
+flawCode :: Flaw -> Text
+flawCode = \case
+  WithoutShape -> "no-shape"
+  ZeroSize -> "zero-size"
+  ZeroNormal -> "zero-normal"
+  NowhereToLook -> "nowhere-to-look"
+  UpAlongFront -> "up-along-front"
+  FarBeforeNear -> "far-before-near"
+  CollinearPoints -> "collinear-points"
+  EqualPoints -> "equal-points"
+  InnerBeyondOuter -> "inner-beyond-outer"
+  CurvatureBelowRadius -> "curvature-below-radius"
+  LensTooThin -> "lens-too-thin"
+  ZeroOrientation -> "zero-orientation"
+  NoAttenuation -> "no-attenuation"
+  InvisibleWavelength -> "invisible-wavelength"
+  TooManyPixels {} -> "too-many-pixels"

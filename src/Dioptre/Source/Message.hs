@@ -1,0 +1,246 @@
+{-# LANGUAGE LambdaCase #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Dioptre.Source.Message
+-- Description : What diagnostics say, in English and French
+--
+-- The texts of "Dioptre.Source.Diagnostic", and nothing else: what is wrong, what was expected, what is used instead. Each text stands
+-- beside its translation.
+module Dioptre.Source.Message
+  ( message,
+    expected,
+    used,
+    severityName,
+    expectation,
+  )
+where
+
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Dioptre.Source.Diagnostic
+import Dioptre.Source.Language (Language, inLanguage)
+
+-- | The name of a severity.
+severityName :: Language -> Severity -> Text
+severityName l = \case
+  Note -> inLanguage l "note" "remarque"
+  Warning -> inLanguage l "warning" "avertissement"
+  Error -> inLanguage l "error" "erreur"
+
+-- | What is wrong.
+message :: Language -> Problem -> Text
+message l = \case
+  UnknownWord w _ guess _ ->
+    say ["unknown word ", quoted w, meant guess] ["mot inconnu\xA0: ", quoted w, meant guess]
+  MisplacedWord w object _ _ ->
+    say
+      [quoted w, maybe " cannot stand here" (\o -> " is not a word of " <> quoted o) object]
+      [quoted w, maybe " n'a pas sa place ici" (\o -> " ne fait pas partie de " <> quoted o) object]
+  StrayEnd w ->
+    say [quoted w, " where nothing is open"] [quoted w, " alors que rien n'est ouvert"]
+  MisspeltEnd w ->
+    say [quoted w, " is taken for 'end'"] [quoted w, " est lu comme 'end'"]
+  MissingEnd object by ->
+    say
+      [quoted object, " is never closed", maybe "" (\(w, n) -> "; " <> quoted w <> " on line " <> number n <> " closes it") by]
+      [quoted object, " n'est jamais fermé", maybe "" (\(w, n) -> "\xA0; " <> quoted w <> ", à la ligne " <> number n <> ", le ferme") by]
+  UnclosedComment ->
+    say
+      ["this comment is never closed: a line that begins with '*/' would close it"]
+      ["ce commentaire n'est jamais fermé\xA0: une ligne qui commence par '*/' le fermerait"]
+  RefusedValue w refusal _ _ -> refused l w refusal
+  RepeatedProperty w n ->
+    say [quoted w, " is given more than ", times n] [quoted w, " est donné plus de ", times n]
+  SecondShape object ->
+    say [quoted object, " has a shape already"] [quoted object, " a déjà une géométrie"]
+  ImpossibleObject object flaw -> flawed l object flaw
+  NoMaterialName ->
+    say ["this primitive names no material"] ["cette primitive ne nomme pas de matériel"]
+  MissingMaterial name guess ->
+    say
+      ["no material is called ", quoted name, meant guess]
+      ["aucun matériel ne s'appelle ", quoted name, meant guess]
+  RepeatedMaterial name n ->
+    say
+      ["a material is called ", quoted name, " already, on line ", number n]
+      ["un matériel s'appelle déjà ", quoted name, ", à la ligne ", number n]
+  ReplacedObject object n ->
+    say
+      [quoted object, " replaces the one on line ", number n]
+      [quoted object, " remplace celui de la ligne ", number n]
+  NotDrawnYet object ->
+    say
+      [quoted object, " is read, but this version does not draw it yet"]
+      [quoted object, " est lu, mais cette version ne le dessine pas encore"]
+  NotLitYet algorithm ->
+    say
+      ["this version does not compute light yet, as ", quoted algorithm, " would"]
+      ["cette version ne calcule pas encore la lumière, comme le voudrait ", quoted algorithm]
+  SamplingWithoutRandom n ->
+    say
+      ["the ", number n, " rays of a pixel all go through the same point of it, as 'pixel_coordinate' is not 'random': this takes time and changes nothing"]
+      ["les ", number n, " rayons d'un pixel passent tous par le même point, car 'pixel_coordinate' n'est pas 'random'\xA0: cela prend du temps et ne change rien"]
+  where
+    say en fr = Text.concat (inLanguage l en fr)
+    meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> "?")
+    times n = inLanguage l (if n == 1 then "once" else number n <> " times") (number n <> " fois")
+
+refused :: Language -> Text -> Refusal -> Text
+refused l w = \case
+  NothingThere -> say [quoted w, " has no value"] [quoted w, " n'a pas de valeur"]
+  NotANumber t -> say [quoted t, " is not a number"] [quoted t, " n'est pas un nombre"]
+  NotAnInteger t -> say [quoted t, " is not an integer"] [quoted t, " n'est pas un entier"]
+  TooLarge t -> say [quoted t, " is too large"] [quoted t, " est trop grand"]
+  OutOfRange t -> say [quoted t, " is out of range for ", quoted w] [quoted t, " est hors des limites de ", quoted w]
+  WrongCount wanted found comment ->
+    say
+      [number found, " values, where ", quoted w, " takes ", number wanted, if comment then "; a comment needs a line of its own" else ""]
+      [number found, " valeurs, où ", quoted w, " en prend ", number wanted, if comment then "\xA0; un commentaire doit avoir sa propre ligne" else ""]
+  NoSuchChoice t guess ->
+    say
+      [quoted t, " means nothing to ", quoted w, maybe "" (\g -> "; did you mean " <> quoted g <> "?") guess]
+      [quoted t, " ne dit rien à ", quoted w, maybe "" (\g -> "\xA0; vouliez-vous dire " <> quoted g <> "?") guess]
+  UnsafeName ->
+    say
+      ["a name here holds no '/', '\\' or control character: the file goes to the working directory"]
+      ["ce nom ne peut contenir ni '/', ni '\\', ni caractère de contrôle\xA0: le fichier va dans le répertoire courant"]
+  NameTaken ->
+    say
+      ["this is the name of another file of this run, which would be lost"]
+      ["c'est le nom d'un autre fichier de cette exécution, qui serait perdu"]
+  WrongEnding -> say ["this name has another ending"] ["ce nom a une autre extension"]
+  ZeroVector -> say [quoted w, " needs a direction: this vector is zero"] [quoted w, " doit avoir une direction\xA0: ce vecteur est nul"]
+  ZeroComponent -> say ["a scale of zero flattens the shape"] ["une homothétie nulle aplatit la géométrie"]
+  SamePoint -> say ["this is the point given before"] ["c'est le point déjà donné"]
+  where
+    say en fr = Text.concat (inLanguage l en fr)
+
+flawed :: Language -> Text -> Flaw -> Text
+flawed l object = \case
+  WithoutShape -> say "has no shape" "n'a pas de géométrie"
+  ZeroSize -> say "has no extent" "n'a pas d'étendue"
+  ZeroNormal -> say "has a normal of length zero" "a une normale de longueur nulle"
+  NowhereToLook -> say "looks at its own position" "regarde sa propre position"
+  UpAlongFront -> say "has its up along the direction of view" "a son 'up' dans la direction du regard"
+  FarBeforeNear -> say "has its far clipping plane before the near one" "a son plan éloigné devant son plan rapproché"
+  CollinearPoints -> say "has its three points on one line" "a ses trois points sur une même droite"
+  EqualPoints -> say "has its two points in one place" "a ses deux points au même endroit"
+  InnerBeyondOuter -> say "has an inner radius greater than the outer one" "a un rayon intérieur plus grand que le rayon"
+  CurvatureBelowRadius -> say "has a radius of curvature smaller than its radius" "a un rayon de courbure plus petit que son rayon"
+  LensTooThin -> say "is so thin that its faces cross" "est si mince que ses faces se croisent"
+  ZeroOrientation -> say "has an orientation of length zero" "a une orientation de longueur nulle"
+  NoAttenuation -> say "has all three attenuators zero" "a ses trois atténuateurs nuls"
+  InvisibleWavelength -> say "has a wavelength that is not visible (380 to 780 nm)" "a une longueur d'onde invisible (hors de 380 à 780 nm)"
+  TooManyPixels n -> say ("has more than " <> number n <> " pixels") ("a plus de " <> number n <> " pixels")
+  where
+    say en fr = quoted object <> " " <> inLanguage l en fr
+
+-- | What was expected, where that can be said.
+expected :: Language -> Problem -> Maybe Text
+expected l = \case
+  UnknownWord _ admissible _ _ -> Just (oneOf l admissible)
+  MisplacedWord _ _ admissible _ -> Just (oneOf l admissible)
+  StrayEnd _ -> Nothing
+  MisspeltEnd _ -> Just "'end'"
+  MissingEnd _ _ -> Just "'end'"
+  UnclosedComment -> Just "'*/'"
+  RefusedValue _ _ wanted _ -> Just (expectation l wanted)
+  RepeatedProperty {} -> Nothing
+  SecondShape _ -> Just (inLanguage l "one shape" "une seule géométrie")
+  ImpossibleObject _ flaw -> flawExpected l flaw
+  NoMaterialName -> Just "'material_name'"
+  MissingMaterial {} -> Just (inLanguage l "the name of a material of this scene" "le nom d'un matériel de cette scène")
+  RepeatedMaterial {} -> Just (inLanguage l "another name" "un autre nom")
+  ReplacedObject {} -> Nothing
+  NotDrawnYet _ -> Nothing
+  NotLitYet _ -> Nothing
+  SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
+
+flawExpected :: Language -> Flaw -> Maybe Text
+flawExpected l = \case
+  WithoutShape -> say "one shape, such as a sphere" "une géométrie, par exemple une sphère"
+  ZeroSize -> say "a size greater than zero" "une taille plus grande que zéro"
+  ZeroNormal -> say "a normal at least 1.0e-10 long" "une normale de longueur 1.0e-10 ou plus"
+  NowhereToLook -> say "'look_at' away from 'position'" "un 'look_at' autre que 'position'"
+  UpAlongFront -> say "an 'up' across the direction of view" "un 'up' qui n'est pas dans la direction du regard"
+  FarBeforeNear -> say "'far_clipping_plane' at least 'near_clipping_plane'" "un 'far_clipping_plane' d'au moins 'near_clipping_plane'"
+  CollinearPoints -> say "three points that are not on one line" "trois points qui ne sont pas sur une même droite"
+  EqualPoints -> say "two different points" "deux points différents"
+  InnerBeyondOuter -> say "'inner_ray' from 0 to 'ray'" "un 'inner_ray' de 0 à 'ray'"
+  CurvatureBelowRadius -> say "a curvature of at least 'ray' (its sign aside)" "une courbure d'au moins 'ray' (au signe près)"
+  LensTooThin -> say "a thicker lens, or flatter faces" "une lentille plus épaisse, ou des faces plus plates"
+  ZeroOrientation -> say "an orientation at least 1.0e-10 long" "une orientation de longueur 1.0e-10 ou plus"
+  NoAttenuation -> say "one attenuator greater than zero" "un atténuateur plus grand que zéro"
+  InvisibleWavelength -> say "'wave_length' from 380 to 780" "un 'wave_length' de 380 à 780"
+  TooManyPixels _ -> say "a smaller 'width' or 'height'" "un 'width' ou un 'height' plus petit"
+  where
+    say en fr = Just (inLanguage l en fr)
+
+-- | What is used instead, where something is.
+used :: Language -> Problem -> Maybe Text
+used l = \case
+  UnknownWord _ _ _ passed -> Just (passedOver passed)
+  MisplacedWord _ _ _ passed -> Just (passedOver passed)
+  StrayEnd _ -> say "nothing: it is passed over" "rien\xA0: il est ignoré"
+  MisspeltEnd _ -> Just "end"
+  MissingEnd _ _ -> say "what was read of it" "ce qui en a été lu"
+  UnclosedComment -> say "nothing: the rest of the file is passed over" "rien\xA0: le reste du fichier est ignoré"
+  RefusedValue _ _ _ "" -> say "the default" "la valeur par défaut"
+  RefusedValue _ _ _ kept -> Just kept
+  RepeatedProperty {} -> say "the values before it" "les valeurs précédentes"
+  SecondShape _ -> say "the first one" "la première"
+  ImpossibleObject _ flaw -> flawUsed flaw
+  NoMaterialName -> say "'none'" "'none'"
+  MissingMaterial {} -> say "a grey material" "un matériel gris"
+  RepeatedMaterial {} -> say "the first one" "le premier"
+  ReplacedObject {} -> Nothing
+  NotDrawnYet _ -> Nothing
+  NotLitYet _ -> Just "no_light"
+  SamplingWithoutRandom _ -> Nothing
+  where
+    say en fr = Just (inLanguage l en fr)
+    flawUsed flaw
+      | flaw `elem` [NowhereToLook, FarBeforeNear] = replaced
+      | TooManyPixels _ <- flaw = replaced
+      | otherwise = say "nothing: it is left out (a camera: the one before it, or the default)" "rien\xA0: il est omis (une caméra\xA0: la précédente, ou celle par défaut)"
+    replaced = say "the one before it, or the default" "le précédent, ou celui par défaut"
+    passedOver = \case
+      TheLine -> inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
+      TheObject n -> inLanguage l ("nothing: all is passed over down to line " <> number n) ("rien\xA0: tout est ignoré jusqu'à la ligne " <> number n)
+
+-- | What a property wants, in words.
+expectation :: Language -> Expectation -> Text
+expectation l = \case
+  ARealNumber r -> inLanguage l "a real number" "un nombre réel" <> range r
+  AnInteger r -> inLanguage l "an integer" "un entier" <> range r
+  AVector -> inLanguage l "three real numbers, such as [0.0, 0.0, 1.0]" "trois nombres réels, par exemple [0.0, 0.0, 1.0]"
+  AVectorWithoutZero -> inLanguage l "three real numbers other than zero" "trois nombres réels autres que zéro"
+  ADirection -> inLanguage l "three real numbers that are not all zero" "trois nombres réels qui ne sont pas tous nuls"
+  TwoCoordinates -> inLanguage l "two real numbers" "deux nombres réels"
+  AColour names ->
+    inLanguage l "red, green and blue from 0 up (and alpha), or a name: " "rouge, vert et bleu à partir de 0 (et alpha), ou un nom\xA0: "
+      <> Text.intercalate ", " names
+  ABoolean -> inLanguage l "true or false (yes or no, on or off, 1 or 0)" "vrai ou faux (oui ou non, on ou off, 1 ou 0)"
+  AChoice words' -> oneOf l words' <> inLanguage l (" (or 0 to " <> most words' <> ")") (" (ou 0 à " <> most words' <> ")")
+  SomeText -> inLanguage l "some text, up to the end of the line" "du texte, jusqu'à la fin de la ligne"
+  AnOutputName -> inLanguage l "the name of a file, without a folder" "le nom d'un fichier, sans dossier"
+  AnOutputNameEnding e -> inLanguage l ("the name of a file that ends in " <> e) ("le nom d'un fichier qui finit par " <> e)
+  where
+    most words' = number (length words' - 1)
+    range = \case
+      AnyNumber -> ""
+      AtLeast a -> inLanguage l (", at least " <> a) (", au moins " <> a)
+      Between a b -> inLanguage l (" from " <> a <> " to " <> b) (" de " <> a <> " à " <> b)
+
+oneOf :: Language -> [Text] -> Text
+oneOf l words' = inLanguage l "one of " "un de " <> Text.intercalate ", " words'
+
+-- | A piece of a file, in quotation marks; long ones are cut.
+quoted :: Text -> Text
+quoted t
+  | Text.length t > 60 = "'" <> Text.take 57 t <> "...'"
+  | otherwise = "'" <> t <> "'"
+
+number :: Int -> Text
+number = Text.pack . show

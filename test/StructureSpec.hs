@@ -1,0 +1,76 @@
+-- | What the tree of modules promises: stages that only look back, and no test left out.
+module StructureSpec
+  ( spec,
+  )
+where
+
+import Control.Monad (forM, forM_)
+import Data.List (elemIndex, isPrefixOf, isSuffixOf, sort, stripPrefix)
+import Data.Maybe (mapMaybe)
+import System.Directory (doesDirectoryExist, listDirectory)
+import System.FilePath (dropExtension, splitDirectories, (</>))
+import Test.Hspec (Spec, it, shouldBe, shouldSatisfy)
+
+spec :: Spec
+spec = do
+  it "imports only from the same stage or an earlier one" $ do
+    modules <- sources "src"
+    length modules `shouldSatisfy` (> 40)
+    offences <- concat <$> forM modules (\path -> backward path <$> importsOf path)
+    offences `shouldBe` []
+  it "puts every module into a stage" $ do
+    modules <- sources "src"
+    [m | path <- modules, let { m = moduleName "src" path }, stageOf m == Nothing] `shouldBe` []
+  it "runs every spec" $ do
+    specs <- filter ("Spec" `isSuffixOf`) . map (moduleName "test") <$> sources "test"
+    listed <- filter ("Spec" `isSuffixOf`) <$> importsOf "test/Main.hs"
+    sort listed `shouldBe` sort specs
+  it "imports JuicyPixels in one module only" $ do
+    modules <- sources "src"
+    users <- concat <$> forM modules (\path -> (\is -> [path | any ("Codec.Picture" `isPrefixOf`) is]) <$> importsOf path)
+    users `shouldBe` ["src/Dioptre/Picture/Png.hs"]
+  it "has no catch-all module" $ do
+    modules <- sources "src"
+    forM_ modules $ \path ->
+      last (splitDirectories (dropExtension path)) `shouldSatisfy` (`notElem` ["Utils", "Util", "Types", "Common", "Misc", "Helpers"])
+
+-- | The stages, in the order in which a scene passes through them.
+stages :: [String]
+stages = ["Source", "Syntax", "Math", "Geometry", "Light", "Scene", "Picture", "Render", "Files", "Command"]
+
+-- | The number of a module's stage. The façade comes after all of them.
+stageOf :: String -> Maybe Int
+stageOf "Dioptre" = Just (length stages)
+stageOf m = case stripPrefix "Dioptre." m of
+  Just rest -> elemIndex (takeWhile (/= '.') rest) stages
+  Nothing -> Nothing
+
+backward :: FilePath -> [String] -> [(String, String)]
+backward path imports = [(name, i) | i <- imports, Just theirs <- [stageOf i], Just ours <- [stageOf name], theirs > ours]
+  where
+    name = moduleName "src" path
+
+moduleName :: FilePath -> FilePath -> String
+moduleName root path = map dot (dropExtension (drop (length root + 1) path))
+  where
+    dot c = if c == '/' then '.' else c
+
+importsOf :: FilePath -> IO [String]
+importsOf path = mapMaybe imported . lines <$> readFile path
+  where
+    imported text = case filter (/= "qualified") (words text) of
+      "import" : m : _ -> Just m
+      _ -> Nothing
+
+-- | Every Haskell file below a folder.
+sources :: FilePath -> IO [FilePath]
+sources folder = do
+  entries <- sort <$> listDirectory folder
+  concat
+    <$> forM
+      entries
+      ( \entry -> do
+          let path = folder </> entry
+          isFolder <- doesDirectoryExist path
+          if isFolder then sources path else pure [path | ".hs" `isSuffixOf` entry]
+      )
