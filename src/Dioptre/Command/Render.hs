@@ -33,7 +33,7 @@ import Dioptre.Render.Row (Plan, plan, planHeight, planWithin, window)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..))
-import Dioptre.Source.Diagnostic (Diagnostic (..), Problem (ImpossibleObject), Severity (..), severity)
+import Dioptre.Source.Diagnostic (Diagnostic (..), Fate (LeftOut), Problem (ImpossibleObject), Severity (..), severity)
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Message (message)
 import Dioptre.Source.Report (pretty, summary)
@@ -130,7 +130,7 @@ adjusted options scene = do
 resized :: Maybe Int -> Maybe Int -> Viewport -> Either (Language -> Text) Viewport
 resized w h port = either (Left . tooMany) Right (viewport (maybe (viewportWidth port) id w) (maybe (viewportHeight port) id h) (viewportImage port))
   where
-    tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw)
+    tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
 
 -- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves.
 outputObstacle :: Options -> IO (Maybe (Int, Language -> Text))

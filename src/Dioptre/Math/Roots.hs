@@ -86,8 +86,8 @@ linearRoots a b = build (ascending (linear a b))
 -- >>> quadraticRoots 0 2 (-3)
 -- [1.5]
 --
--- The textbook's @(-b - sqrt (b^2 - 4 a c)) \/ 2 a@ answers 7.450580596923828e-9 for the first root of the next one, and
--- overflows on the one after:
+-- The textbook's @(-b - sqrt (b^2 - 4 a c)) \/ 2 a@ answers 7.450580596923828e-9 for the first root of the next one,
+-- and overflows on the one after:
 --
 -- >>> quadraticRoots 1 (-1e8) 1
 -- [1.0e-8,1.0e8]
@@ -101,15 +101,20 @@ linearRoots a b = build (ascending (linear a b))
 -- 1. A coefficient that is not finite: @[]@. @a = 0@: the root of @b x + c@. @b = c = 0@: @[0, 0]@.
 -- 2. @u = b * b@, @v = (4 * a) * c@, @w = u + |v|@, @d = u - v@.
 -- 3. If @d < 0@: @[]@.
--- 4. If not @d > w \/ 4@: @d = (u - v) + (e - f)@, where @e@ and @f@ are what rounding took from the two products, by the
---    steps of 'productError'. If that is negative: @[]@.
+-- 4. If not @d > w \/ 4@: @d = (u - v) + (e - f)@, where @e@ is what rounding took from @u = b * b@, and @f@ what it
+-- took
+--    from @v = (4 * a) * c@; if that is negative, @[]@. What rounding took from @z = x * y@ is
+--    @x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)@, with @x1 = g - (g - x)@, @x2 = x - x1@, @g = (2^27 + 1) * x@,
+-- and
+--    in the same way from @y@.
 -- 5. @s = sqrt d@.
 -- 6. @p = (b - s) \/ 2@ if @b < 0@, else @p = (b + s) \/ 2@.
--- 7. If @b = 0@: with @h = |p \/ a|@, the roots are @-h@ and @h@. Else they are @0 - p \/ a@ and @0 - c \/ p@, the smaller
+-- 7. If @b = 0@: with @h = |p \/ a|@, the roots are @-h@ and @h@. Else they are @0 - p \/ a@ and @0 - c \/ p@, the
+-- smaller
 --    one first. Those that are not finite are dropped.
 --
 -- Cost: a miss takes four products, two sums and a handful of comparisons; a hit, a square root and two quotients more,
--- and, where the two products of step 2 nearly cancel (a small sphere far away), the 41 operations of 'refined'.
+-- and, where the two products of step 2 nearly cancel (a small sphere far away), some 35 operations of step 4.
 -- Nothing is allocated.
 quadraticRoots :: Double -> Double -> Double -> [Double]
 quadraticRoots a b c = build (ascending (quadratic a b c))
@@ -202,8 +207,9 @@ solved over a b c u v
     rooted discriminant = let !p = halfSum b discriminant in pair (p `over` a) (c `over` p)
 {-# INLINE solved #-}
 
--- | The discriminant by Kahan's formula, @(u - v) + (e - f)@ with @e = productError b b u@ and @f = productError (4 * a) c v@,
--- to 2 ulp. It needs @u@ and @v@ within a factor of 2 of each other. See Note [The sign of the discriminant].
+-- | The discriminant by Kahan's formula, @(u - v) + (e - f)@ with @e = productError b b u@ and @f = productError (4 *
+-- a) c v@, to 2 ulp. It needs @u@ and @v@ within a factor of 2 of each other. See Note [The sign of the
+-- discriminant].
 refined :: Double -> Double -> Double -> Double
 refined a b c = (u - v) + (productError b b u - productError (4 * a) c v)
   where
@@ -262,17 +268,18 @@ pair larger smaller
 
 {- Note [The sign of the discriminant]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
-A ray that grazes a sphere has one common point with it, or two, or none, and only the sign of D = b^2 - 4 a c can tell. It
-is had exactly, and for less than one might fear. Rounding never reverses an order: if b^2 <= 4 a c, then also u <= v for
-the rounded products. Hence
+A ray that grazes a sphere has one common point with it, or two, or none, and only the sign of D = b^2 - 4 a c can
+tell. It is had exactly, and for less than one might fear. Rounding never reverses an order: if b^2 <= 4 a c, then
+also u <= v for the rounded products. Hence
 
   * u < v proves D < 0, and u > v proves D > 0;
-  * u = v leaves it open. Then D = e - f exactly, e and f being what rounding took from the products. The rounded difference
-    of two numbers has the sign of the exact one, and is zero only if that is. So step 4 decides, and decides right.
+  * u = v leaves it open. Then D = e - f exactly, e and f being what rounding took from the products. The rounded
+    difference of two numbers has the sign of the exact one, and is zero only if that is. So step 4 decides, and
+    decides right.
 
 How large D is takes more. Where d > w/4, rounding has taken no more than 5 eps of it (see Note [Four ulp]). In between,
 3/5 u <= v <= u, up to rounding, so u - v is exact (Sterbenz: two numbers within a factor of 2 of each other), and
-D = (u - v) + (e - f) but for the rounding of the two outer operations, which leave it within 2 ulp (Boldo). This
+D = (u - v) + (e - f) but for the rounding of the last two operations, which leave it within 2 ulp (Boldo). This
 does not lose the sign again: if u > v, then e - f > v - u, which is a double, so rounding cannot carry e - f
 below it, and the sum is not negative.
 
@@ -285,16 +292,17 @@ it is used, w > 2^-400, so that e and f are multiples of 2^-510.
 Each root is within 4 ulp of the root of the polynomial as given. Errors are relative, eps = 2^-53, second order left out.
 
   * v <= 0: nothing cancels, d errs by 2 eps, s = sqrt d by 1 + 1 = 2 eps, p by at most 2 + 1 = 3 eps.
-  * 0 < v and d > w/4: d errs by at most eps w/d + eps <= 5 eps, s by 7/2 eps. It is less than half of |b| + s, whose other
-    part has no error: p errs by at most 7/4 + 1 < 3 eps.
-  * The rest is 'refined': d errs by 2 ulp, which is at most 4 eps, s by 2 + 1 = 3 eps, p by at most 3/2 + 1 < 3 eps.
+  * 0 < v and d > w/4: d errs by at most eps w/d + eps <= 5 eps, s by 5/2 + 1 = 7/2 eps. But s is less than half of
+    |b| + s, whose other part has no error: p errs by at most 7/4 + 1 < 3 eps.
+  * 0 < v and d <= w/4: d errs by 2 ulp, which is at most 4 eps, s by 2 + 1 = 3 eps, p by at most 3/2 + 1 < 3 eps.
 
 The quotients p/a and c/p inherit 3 eps, which is at most 3 ulp, and are rounded, which is at most 1/2 ulp more. That
-leaves 1/2 ulp for the second order, which needs a millionth of a millionth of it. Putting the two roots in order does not enlarge the error:
-if |x - X| <= h and |y - Y| <= h, then the same holds for the lesser and for the greater ones.
+leaves 1/2 ulp for the second order, which needs a millionth of a millionth of it. Putting the two roots in order does
+not enlarge the error: if |x - X| <= h and |y - Y| <= h, then the same holds between the lesser of x, y and
+the lesser of X, Y, and between the greater ones.
 
-The sign-matched p never cancels, but the textbook's -b + s does: to use it for the root near zero of
-x^2 - 10^8 x + 1 is to lose every digit but one.
+The sign-matched p never cancels. The textbook's -b + s does: to use it for the root near zero of x^2 - 10^8 x + 1 is to
+lose every digit.
 -}
 
 {- Note [Exponents without bounds]
@@ -307,23 +315,25 @@ of 'quadraticRoots' is stated for exponents without bounds, where this always ho
 
   * If one of u and v underflows, it is below 2^-1022 and the other above 2^-401: then d and w are the other one,
     whatever the digits that were lost.
-  * 'refined' meets u and v close to w/2, so |b| is between 2^-202 and 2^200, and |c| between 2^-804 and 2^800: far from the ends.
+  * 'refined' meets u and v close to w/2, so |b| is between 2^-202 and 2^200, and |c| between 2^-804 and 2^800: far
+    from the ends.
   * |p| is between 2^-202 and 2^201, so p/a does not overflow, and since |c/p| <= |p/a| up to rounding nor does c/p.
     Either may underflow; a quotient that does is rounded once, as the rule says.
 
-'quadraticElsewhere' puts x = 2^k y and divides by a power of two such that a' is within 1/4 and 1, and c' within 1/2 and 1. These
-two are exact, subnormal or not. One power cannot do the same for b as well, but then b is not needed in full:
+Elsewhere, x = 2^k y, and division by a power of two, bring a' to between 1/4 and 1 and c' to between 1/2 and 1. Both are
+exact, subnormal or not. One k cannot do the same for b, but b is not always needed in full:
 
-  * |b'| >= 2^100: u outweighs v by so much that d = u and p = b, so the roots are -b/a and -c/b, of the original coefficients.
-  * |b'| < 2^-100: v outweighs u by so much that d = -v and p = +-s/2. Only the sign of b matters, and 2^-100
-    is as good as the truth.
+  * |b'| >= 2^100: u outweighs v by so much that d = u and p = b. The roots are -b/a and -c/b, of the coefficients as
+    they were.
+  * |b'| < 2^-101: v outweighs u by so much that d = -v and p = +-s/2. Only the sign of b matters, and any b' below
+    2^-100 will do.
 
 The roots 2^k y come from one division, each of whose sides takes a part of 2^k: rounded once, even when subnormal.
 
-It follows that scaling by +-2^m never changes a bit of any root, provided that it is exact, that is, that no scaled coefficient
-overflows, or loses digits to underflow; one that does is another coefficient, and no solver could know. For -1: d does not
-change, and both p and what it divides or is divided by do. Where b = 0 the sign of p is arbitrary, so step 7 makes h from |p/a|
-only: c/p, which may differ from it in the last bit, would tell.
+It follows that scaling by +-2^m never changes a bit of any root, provided that it is exact: that no coefficient
+overflows or loses digits to underflow. One that does is another coefficient, and no solver could know. As to -1, it
+leaves d alone and changes the sign of p and of what p divides and is divided by. Where b = 0 the sign of p means
+nothing, so step 7 uses p/a for both roots: c/p may differ from it in the last bit, and would tell.
 -}
 
 {- Note [Lists that vanish]
@@ -333,11 +343,12 @@ A list says what roots are: some numbers, in order. It is also free, if whoever 
     closest a b c = foldr nearer id (quadraticRoots a b c) infinity
       where nearer t continue !best = if t > epsilon && t < best then continue t else continue best
 
-"GHC.Exts" rewrites foldr k z (build g) to g k z. For that to happen the list is made by one 'build' on the outside, not by one
-in each branch; the functions are INLINE, all the way to the case on Roots; and the ones that do the rare work are
-not, so that the copies stay small. Roots is not seen either: in 'quadratic' each constructor meets the case in 'ascending', which turns
-it into a jump. What remains is arithmetic on unboxed numbers. RootsSpec measures that the loop allocates nothing.
+GHC.Exts rewrites foldr k z (build g) to g k z. For that to happen the list is made by one 'build' on the outside, not
+by one in each branch; the functions are INLINE, all the way to the case on Roots; and those that do the rare work are
+not, so that the copies stay small. Roots is not built either: in 'quadratic' each constructor meets the case in
+'ascending', which turns it into a jump. What remains is arithmetic on unboxed numbers, and RootsSpec measures that a loop
+of it allocates nothing.
 
-Cubic and quartic polynomials join by a constructor of Roots for each number of roots and a function to Roots; out of line, since next to
-their work a box is nothing.
+Cubic and quartic polynomials will join by a constructor of Roots for each number of roots, and a function each from
+coefficients to Roots; out of line, since beside their work a box is nothing.
 -}

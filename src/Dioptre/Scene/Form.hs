@@ -33,19 +33,22 @@ module Dioptre.Scene.Form
     outputName,
     outputNameEnding,
 
+    -- * Slips
+    decimalsBehindComma,
+
     -- * Variations
     withUnit,
     optionally,
   )
 where
 
-import Data.Char (isControl)
+import Data.Char (isControl, isDigit)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..), named, names)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (V3 (..), Vector, modulus)
-import Dioptre.Source.Diagnostic (Expectation (..), Range (..), Refusal (..))
+import Dioptre.Source.Diagnostic (Expectation (..), Guess (..), Range (..), Refusal (..))
 import Dioptre.Source.Span (Span)
 import Dioptre.Syntax.Spelling (suggest)
 import Dioptre.Syntax.Tree (Value (..))
@@ -105,6 +108,15 @@ integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= insid
 showInt :: Int -> Text
 showInt = Text.pack . show
 
+-- | Whether a value of one real number goes on after it with a comma and a digit.
+decimalsBehindComma :: Expectation -> Value -> Maybe Text
+decimalsBehindComma expectation value = case (expectation, tokens value) of
+  (ARealNumber _, token : _)
+    | Just behind <- Text.stripPrefix (tokenText token) (Text.stripStart (valueText value)),
+      commaInNumber ("0" <> Text.take 2 behind) ->
+      Just (tokenText token)
+  _ -> Nothing
+
 -- | Three real numbers.
 vectorForm :: Form Vector
 vectorForm = Form AVector vector3 showVector
@@ -157,8 +169,19 @@ list open close xs = open <> Text.intercalate ", " (map showReal xs) <> close
 wrongCount :: Value -> Int -> [Token] -> (Span, Refusal)
 wrongCount value wanted found = case drop wanted found of
   [] | null found -> (valueSpan value, NothingThere)
-  [] -> (valueSpan value, WrongCount wanted (length found) False)
-  extra : _ -> (tokenSpan extra, WrongCount wanted (length found) (Text.take 1 (tokenText extra) `elem` ["#", "/", "*", "!", "@"]))
+  [] -> (valueSpan value, WrongCount wanted (length found) NoGuess)
+  extra : _ -> (tokenSpan extra, WrongCount wanted (length found) (guess extra))
+  where
+    guess extra
+      | Text.take 1 (tokenText extra) `elem` ["#", "/", "*", "!", "@"] = CommentBehind
+      | commaInNumber (valueText value) = CommaInNumber
+      | otherwise = NoGuess
+
+-- | Whether a comma stands between two digits, as people write decimals who do not write points.
+commaInNumber :: Text -> Bool
+commaInNumber t = or (zipWith both (Text.splitOn "," t) (drop 1 (Text.splitOn "," t)))
+  where
+    both before after = Text.any isDigit (Text.takeEnd 1 before) && Text.any isDigit (Text.take 1 after)
 
 -- | One of some words, in any case, or its number counted from 0; written as the word.
 choice :: Eq v => [(Text, v)] -> Form v

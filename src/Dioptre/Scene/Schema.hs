@@ -47,7 +47,7 @@ where
 import Control.Applicative ((<|>))
 import Control.Monad (foldM)
 import Control.Monad.Trans.Writer.CPS (Writer, runWriter, tell)
-import Data.Foldable (toList)
+import Data.Foldable (for_, toList)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (find, sortOn)
@@ -59,10 +59,10 @@ import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Geometry.Shape (Shape)
-import Dioptre.Scene.Form (Form (..))
+import Dioptre.Scene.Form (Form (..), decimalsBehindComma)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..), wholeFile, width)
-import Dioptre.Syntax.Keyword (Keyword (End), allSpellings, isShape, spelling, spellings)
+import Dioptre.Syntax.Keyword (Keyword (Camera, End, Raytracer, Viewport), allSpellings, isShape, spelling, spellings)
 import Dioptre.Syntax.Print (Outline (..))
 import Dioptre.Syntax.Spelling (suggest)
 import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..), Value (..))
@@ -141,11 +141,15 @@ readObject readShape schema block = do
   reportClosing block
   case schemaBuild schema (draft progress) of
     Right b -> pure (Just b)
-    -- The fault of the shape that it tried to have has been told.
-    Left WithoutShape | shaped progress -> pure Nothing
-    Left flaw -> Nothing <$ report (headSpan (blockHead block)) (ImpossibleObject object flaw)
+    -- What is wrong with the shape that it tried to have has been told.
+    Left WithoutShape | any isObject (blockNodes block) -> pure Nothing
+    Left flaw -> Nothing <$ report (headSpan (blockHead block)) (ImpossibleObject object flaw fate)
   where
     object = headText (blockHead block)
+    fate = if schemaKeyword schema `elem` [Camera, Viewport, Raytracer] then Superseded else LeftOut
+    isObject node = case node of
+      Object _ -> True
+      _ -> False
 
 -- | The object that a whole file describes, without a word that opens it or an @end@.
 readWholeFile :: Schema a b -> Text -> [Node] -> Check (Maybe b)
@@ -181,7 +185,9 @@ fill :: Property a -> Int -> a -> Tree.Property -> Check a
 fill (Property _ form slots) k before p = case slotFor of
   Nothing -> before <$ report (headSpan word) (RepeatedProperty (headText word) (NonEmpty.length slots))
   Just slot -> case formRead form value >>= \v -> either (Left . (,) (valueSpan value)) Right (slotPut slot v before) of
-    Right after -> pure after
+    Right after -> do
+      for_ (decimalsBehindComma (formExpectation form) value) $ \number -> report (valueSpan value) (DecimalComma (headText word) number)
+      pure after
     Left (place, refusal) ->
       before <$ report (orWord place) (RefusedValue (headText word) refusal (formExpectation form) (formShow form (slotGet slot before)))
   where

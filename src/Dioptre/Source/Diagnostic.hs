@@ -24,9 +24,11 @@ module Dioptre.Source.Diagnostic
     Expectation (..),
     Range (..),
     Refusal (..),
+    Guess (..),
 
     -- * Objects
     Flaw (..),
+    Fate (..),
   )
 where
 
@@ -65,8 +67,10 @@ data Problem
     RepeatedProperty Text Int
   | -- | A second shape in an object that has one.
     SecondShape Text
-  | -- | An object that its values do not make: what, and why.
-    ImpossibleObject Text Flaw
+  | -- | An object that its values do not make: what, why, and what becomes of it.
+    ImpossibleObject Text Flaw Fate
+  | -- | A number that stops at a comma with digits behind it: the property, and the number that was read.
+    DecimalComma Text Text
   | -- | A primitive that does not name its material.
     NoMaterialName
   | -- | A primitive whose material is not in the scene; a name that may have been meant.
@@ -132,8 +136,8 @@ data Refusal
   | -- | A number of a magnitude above 1e100, or an integer beyond 32 bits.
     TooLarge Text
   | OutOfRange Text
-  | -- | So many values were expected, so many found; whether the first too many begins a comment.
-    WrongCount Int Int Bool
+  | -- | So many values were expected, so many found; and what may be the reason.
+    WrongCount Int Int Guess
   | -- | A word that is not one of those; the one that may have been meant.
     NoSuchChoice Text (Maybe Text)
   | -- | A name that would lead out of the working directory, or that holds a control character.
@@ -148,6 +152,23 @@ data Refusal
     ZeroComponent
   | -- | A point that was given already.
     SamePoint
+  deriving stock (Eq, Show)
+
+-- | Why there may be too many values.
+data Guess
+  = NoGuess
+  | -- | The first too many begins a comment.
+    CommentBehind
+  | -- | A comma stands between two digits.
+    CommaInNumber
+  deriving stock (Eq, Show)
+
+-- | What becomes of an object that is impossible.
+data Fate
+  = -- | The scene goes without it.
+    LeftOut
+  | -- | The scene keeps the one before it or, where there is none, the default.
+    Superseded
   deriving stock (Eq, Show)
 
 -- | Why an object cannot be what it says.
@@ -194,6 +215,7 @@ severity = \case
   MissingMaterial {} -> Warning
   RepeatedMaterial {} -> Warning
   SamplingWithoutRandom {} -> Warning
+  DecimalComma {} -> Warning
   _ -> Error
 
 -- | The stable name of a kind of problem, for programs.
@@ -211,7 +233,8 @@ code = \case
   RefusedValue _ refusal _ _ -> refusalCode refusal
   RepeatedProperty {} -> "repeated-property"
   SecondShape {} -> "second-shape"
-  ImpossibleObject _ flaw -> flawCode flaw
+  ImpossibleObject _ flaw _ -> flawCode flaw
+  DecimalComma {} -> "decimal-comma"
   NoMaterialName -> "no-material-name"
   MissingMaterial {} -> "missing-material"
   RepeatedMaterial {} -> "repeated-material"

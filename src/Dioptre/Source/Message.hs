@@ -54,7 +54,11 @@ message l = \case
     say [quoted w, " is given more than ", times n] [quoted w, " est donné plus de ", times n]
   SecondShape object ->
     say [quoted object, " has a shape already"] [quoted object, " a déjà une géométrie"]
-  ImpossibleObject object flaw -> flawed l object flaw
+  ImpossibleObject object flaw _ -> flawed l object flaw
+  DecimalComma w t ->
+    say
+      [quoted w, " is read as ", t, ", up to the comma: decimals follow a point"]
+      [quoted w, " est lu comme ", t, ", jusqu'à la virgule\xA0: les décimales suivent un point"]
   NoMaterialName ->
     say ["this primitive names no material"] ["cette primitive ne nomme pas de matériel"]
   MissingMaterial name guess ->
@@ -93,10 +97,10 @@ refused l w = \case
   NotAnInteger t -> say [quoted t, " is not an integer"] [quoted t, " n'est pas un entier"]
   TooLarge t -> say [quoted t, " is too large"] [quoted t, " est trop grand"]
   OutOfRange t -> say [quoted t, " is out of range for ", quoted w] [quoted t, " est hors des limites de ", quoted w]
-  WrongCount wanted found comment ->
+  WrongCount wanted found guess ->
     say
-      [number found, " values, where ", quoted w, " takes ", number wanted, if comment then "; a comment needs a line of its own" else ""]
-      [number found, " valeurs, où ", quoted w, " en prend ", number wanted, if comment then "\xA0; un commentaire doit avoir sa propre ligne" else ""]
+      [number found, " values, where ", quoted w, " takes ", number wanted, guessed guess]
+      [number found, " valeurs, où ", quoted w, " en prend ", number wanted, guessed guess]
   NoSuchChoice t guess ->
     say
       [quoted t, " means nothing to ", quoted w, maybe "" (\g -> "; did you mean " <> quoted g <> "?") guess]
@@ -115,6 +119,10 @@ refused l w = \case
   SamePoint -> say ["this is the point given before"] ["c'est le point déjà donné"]
   where
     say en fr = Text.concat (inLanguage l en fr)
+    guessed = \case
+      NoGuess -> ""
+      CommentBehind -> inLanguage l "; a comment needs a line of its own" "\xA0; un commentaire doit avoir sa propre ligne"
+      CommaInNumber -> inLanguage l "; a comma separates values, decimals follow a point" "\xA0; une virgule sépare des valeurs, les décimales suivent un point"
 
 flawed :: Language -> Text -> Flaw -> Text
 flawed l object = \case
@@ -148,7 +156,8 @@ expected l = \case
   RefusedValue _ _ wanted _ -> Just (expectation l wanted)
   RepeatedProperty {} -> Nothing
   SecondShape _ -> Just (inLanguage l "one shape" "une seule géométrie")
-  ImpossibleObject _ flaw -> flawExpected l flaw
+  ImpossibleObject _ flaw _ -> flawExpected l flaw
+  DecimalComma {} -> Just (inLanguage l "a decimal point" "un point décimal")
   NoMaterialName -> Just "'material_name'"
   MissingMaterial {} -> Just (inLanguage l "the name of a material of this scene" "le nom d'un matériel de cette scène")
   RepeatedMaterial {} -> Just (inLanguage l "another name" "un autre nom")
@@ -190,7 +199,9 @@ used l = \case
   RefusedValue _ _ _ kept -> Just kept
   RepeatedProperty {} -> say "the values before it" "les valeurs précédentes"
   SecondShape _ -> say "the first one" "la première"
-  ImpossibleObject _ flaw -> flawUsed flaw
+  ImpossibleObject _ _ LeftOut -> say "nothing: it is left out" "rien\xA0: il est omis"
+  ImpossibleObject _ _ Superseded -> say "the one before it, or the default" "celui d'avant, ou celui par défaut"
+  DecimalComma _ t -> Just t
   NoMaterialName -> say "'none'" "'none'"
   MissingMaterial {} -> say "a grey material" "un matériel gris"
   RepeatedMaterial {} -> say "the first one" "le premier"
@@ -200,11 +211,6 @@ used l = \case
   SamplingWithoutRandom _ -> Nothing
   where
     say en fr = Just (inLanguage l en fr)
-    flawUsed flaw
-      | flaw `elem` [NowhereToLook, FarBeforeNear] = replaced
-      | TooManyPixels _ <- flaw = replaced
-      | otherwise = say "nothing: it is left out (a camera: the one before it, or the default)" "rien\xA0: il est omis (une caméra\xA0: la précédente, ou celle par défaut)"
-    replaced = say "the one before it, or the default" "le précédent, ou celui par défaut"
     passedOver = \case
       TheLine -> inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
       TheObject n -> inLanguage l ("nothing: all is passed over down to line " <> number n) ("rien\xA0: tout est ignoré jusqu'à la ligne " <> number n)
