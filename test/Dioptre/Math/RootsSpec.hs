@@ -6,7 +6,8 @@
 -- Module      : Dioptre.Math.RootsSpec
 -- Description : Roots: examples worked out by other means, the laws, and the cost
 --
--- Optimised, whatever the rest of the tests is, since one of the examples measures what the optimiser leaves to allocate.
+-- Optimised, whatever the rest of the tests is, since one of the examples measures what the optimiser leaves to
+-- allocate.
 module Dioptre.Math.RootsSpec (spec) where
 
 import Control.Exception (evaluate)
@@ -38,18 +39,23 @@ spec = do
       it "gives a double root twice" $ quadraticRoots 1 (-4) 4 `shouldBe` [2, 2]
       it "gives the double root of x^2 twice" $ map show (quadraticRoots (-1) 0 0) `shouldBe` ["0.0", "0.0"]
       it "finds none for x^2 + 1" $ quadraticRoots 1 0 1 `shouldBe` []
-      it "gives ascending roots, whatever the sign of the leading coefficient" $ quadraticRoots (-1) 3 (-2) `shouldBe` [1, 2]
-      it "gives 0, never -0" $ map show (quadraticRoots 1 3 0 ++ quadraticRoots 1 (-3) 0) `shouldBe` ["-3.0", "0.0", "0.0", "3.0"]
+      it "gives ascending roots, whatever the sign of the leading coefficient" $
+        quadraticRoots (-1) 3 (-2) `shouldBe` [1, 2]
+      it "gives 0, never -0" $
+        map show (quadraticRoots 1 3 0 ++ quadraticRoots 1 (-3) 0) `shouldBe` ["-3.0", "0.0", "0.0", "3.0"]
 
       -- (1 + sqrt 5) / 2 = 1.61803398874989484820458683436563811772 (OEIS A001622), to the nearest double
-      it "finds the golden ratio" $ quadraticRoots 1 (-1) (-1) `shouldAllBeNear` [-0.6180339887498948482, 1.6180339887498948482]
+      it "finds the golden ratio" $
+        quadraticRoots 1 (-1) (-1) `shouldAllBeNear` [-0.6180339887498948482, 1.6180339887498948482]
 
-      -- By its power series, the lesser root is 1e-8 (1 + 1e-16 + ...), a tenth of an ulp above 1e-8
-      it "keeps the digits of a root that the textbook's formula cancels" $ take 1 (quadraticRoots 1 (-1e8) 1) `shouldBe` [1e-8]
+      -- 1.00000000000000010000000000000002e-8, computed with 60 decimals, to the nearest double
+      it "keeps the digits of a root that the textbook's formula cancels" $
+        take 1 (quadraticRoots 1 (-1e8) 1) `shouldBe` [1e-8]
 
     describe "next to tangency" $ do
       -- Both squares are doubles, and so is twice the product
-      it "touches: the square of (2^26 + 1) x - 2^26" $ quadraticRoots (n * n) (-2 * n * m) (m * m) `shouldBe` [m / n, m / n]
+      it "touches: the square of (2^26 + 1) x - 2^26" $
+        quadraticRoots (n * n) (-2 * n * m) (m * m) `shouldBe` [m / n, m / n]
       it "misses when the last coefficient is one ulp more" $ quadraticRoots (n * n) (-2 * n * m) (m * m + 1) `shouldBe` []
 
       -- The discriminant is 2 n^2, and the roots are (m -+ sqrt (1/2)) / n; computed with 60 decimals
@@ -65,7 +71,8 @@ spec = do
       it "solves Kahan's example" $
         quadraticRoots 94906265.625 (-189812534) 94906268.375 `shouldBe` [1, 1.0000000289759583]
 
-      -- Cassini: F(n)^2 - F(n-1) F(n+1) is 1 for odd n and -1 for even n, so the discriminant is 4 or -4. F(78) is below 2^53.
+      -- Cassini: F(n)^2 - F(n-1) F(n+1) is 1 for odd n and -1 for even n, so the discriminant is 4 or -4. F(78) is
+      -- below 2^53.
       it "counts the roots of F(n-1) x^2 + 2 F(n) x + F(n+1), with Fibonacci's numbers" $
         map (length . fibonacci) [74 .. 77] `shouldBe` [0, 2, 0, 2]
 
@@ -132,7 +139,8 @@ allocatedBy f = do
   _ <- evaluate (f 1)
   (maxBound -) <$> getAllocationCounter
 
--- | A sum of nearest roots over polynomials some of which have two roots, some none, as an intersection would find them.
+-- | A sum of nearest roots over polynomials some of which have two roots, some none, as an intersection would find
+-- them.
 foldedLists :: Double -> Double
 foldedLists a = go calls 0
   where
