@@ -5,7 +5,7 @@
 -- A picture is a function of a text:
 --
 -- @
--- 'draw' = 'rendered' . 'plan' . fst . 'checkScene' . 'parse'
+-- 'draw' = 'rendered' . 'plan' mempty . fst . 'checkScene' . 'parse'
 -- @
 --
 -- Each name is a stage, and each stage is a folder; reading them in this order is a course in ray tracing.
@@ -35,7 +35,7 @@
 -- >>> pictureWidth (draw (fromText "scene.txt" "viewport\nwidth 40\nend"))
 -- 40
 -- >>> map (code . diagnosticProblem) (complaints (fromText "scene.txt" "viewport\nwidht 40\nend"))
--- ["not-lit-yet","unknown-word"]
+-- ["unknown-word"]
 module Dioptre
   ( -- * The whole program
     draw,
@@ -78,7 +78,7 @@ import Dioptre.Syntax.Tree (Tree)
 
 -- | The picture of a scene's text. Total: whatever the text, there is a picture.
 draw :: Source -> Picture
-draw = rendered . plan . fst . checkScene . parse
+draw = rendered . plan mempty . fst . checkScene . parse
 
 -- | What is wrong with a scene's text, in its order.
 complaints :: Source -> [Diagnostic]

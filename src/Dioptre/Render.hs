@@ -18,7 +18,12 @@ import Dioptre.Render.Parallel (inParallel)
 import Dioptre.Render.Row (Plan, Row (..), planHeight, planWidth, row)
 
 -- | How many rays were cast, and how many times one was tested against a shape.
-data Tally = Tally {tallyRays :: !Int, tallyTests :: !Int}
+data Tally = Tally
+  { tallyRays :: !Int,
+    tallyTests :: !Int,
+    -- | How many samples wanted more rays than are followed.
+    tallyCut :: !Int
+  }
 
 -- | The picture of a plan: all its rows, from the top.
 rendered :: Plan -> Picture
@@ -30,10 +35,10 @@ rendered p = picture (planWidth p) (Storable.concat [rowBytes (row p y) | y <- [
 renderWith :: Int -> IO () -> Plan -> IO (Picture, Tally)
 renderWith workers done p = do
   target <- Mutable.new (4 * planWidth p * planHeight p)
-  tally <- newIORef (Tally 0 0)
+  tally <- newIORef (Tally 0 0 0)
   inParallel workers (planHeight p) (row p) $ \y r -> do
     Storable.copy (Mutable.slice (4 * planWidth p * y) (4 * planWidth p) target) (rowBytes r)
-    atomicModifyIORef' tally (\(Tally rays tests) -> (Tally (rays + rowRays r) (tests + rowTests r), ()))
+    atomicModifyIORef' tally (\(Tally rays tests cut) -> (Tally (rays + rowRays r) (tests + rowTests r) (cut + rowCut r), ()))
     done
   -- Nobody writes to the target any more.
   bytes <- Storable.unsafeFreeze target

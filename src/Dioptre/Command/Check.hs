@@ -18,7 +18,7 @@ import Data.Either (lefts, rights)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole)
-import Dioptre.Command.Load (Loaded (..), sceneOf)
+import Dioptre.Command.Load (Loaded (..), loadScene)
 import Dioptre.Command.Render (failing)
 import Dioptre.Command.Wording (fileFault)
 import Dioptre.Files.Whole (readWhole)
@@ -40,7 +40,7 @@ data Format = AsText | AsJson
 -- cannot be read.
 check :: Journal -> Format -> [FilePath] -> IO ExitCode
 check journal format paths = do
-  results <- forM paths $ \path -> either Left (Right . checked path) <$> readWhole path
+  results <- forM paths $ \path -> if isConfiguration path then checkedConfiguration path else fmap told <$> loadScene l path
   case format of
     AsText -> forM_ (rights results) $ \(source, diagnostics) -> do
       forM_ diagnostics (toConsole stdout . pretty l source)
@@ -48,13 +48,14 @@ check journal format paths = do
     AsJson ->
       Lazy.putStrLn . encode $
         object ["diagnostics" .= [toJson l (sourceName source) d | (source, diagnostics) <- rights results, d <- diagnostics]]
-  forM_ (lefts results) (sayFault journal . fileFault l)
+  forM_ (lefts results) (sayFault journal)
   pure $ case () of
     _ | not (null (lefts results)) -> ExitFailure 3
     _ | any (any failing . snd) (rights results) -> ExitFailure 1
     _ -> ExitSuccess
   where
     l = journalLanguage journal
-    checked path bytes
-      | map toLower (takeExtension path) == ".cfg" = (decode path bytes, snd (checkConfiguration (parse (decode path bytes))))
-      | otherwise = let loaded = sceneOf (decode path bytes) in (loadedSource loaded, loadedDiagnostics loaded) :: (Source, [Diagnostic])
+    isConfiguration path = map toLower (takeExtension path) == ".cfg"
+    told loaded = (loadedSource loaded, loadedDiagnostics loaded) :: (Source, [Diagnostic])
+    checkedConfiguration path = either (Left . fileFault l) (Right . configurationOf . decode path) <$> readWhole path
+    configurationOf source = (source, snd (checkConfiguration (parse source)))

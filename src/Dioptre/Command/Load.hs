@@ -5,56 +5,97 @@ module Dioptre.Command.Load
   ( Loaded (..),
     loadScene,
     loadBuiltIn,
-    sceneOf,
     loadPicture,
     drawnOrLoaded,
   )
 where
 
-import Control.Exception (evaluate)
+import Control.Exception (ErrorCall, evaluate, try)
+import Control.Monad (forM)
 import Data.Bifunctor (first)
 import Data.Char (toLower)
+import Data.Containers.ListUtils (nubOrd)
+import Data.Foldable (toList)
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Command.Wording (fileFault, undecodable)
+import Dioptre.Files.Search (Place (..), SearchFault (..), search)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Picture (Picture)
-import Dioptre.Picture.Png (decode)
+import Dioptre.Picture.Png (decode, decodeTexture)
 import Dioptre.Render (renderWith)
 import Dioptre.Render.Row (plan)
+import Dioptre.Render.Texture (Assets)
 import Dioptre.Scene (Scene)
-import Dioptre.Scene.Check (checkScene)
+import Dioptre.Scene.Check (checkScene, pictureNames)
 import Dioptre.Scene.Configuration (defaultSceneFile)
 import Dioptre.Scene.Default (defaultScene)
-import Dioptre.Source.Diagnostic (Diagnostic)
+import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble (..), FileUse, Problem (UnusableFile))
 import Dioptre.Source.Language (Language)
+import Dioptre.Source.Span (Span)
 import Dioptre.Source.Text (Source, fromText)
 import qualified Dioptre.Source.Text as Source
 import Dioptre.Syntax.Grammar (parse)
 import GHC.Conc (getNumCapabilities)
-import System.FilePath (takeExtension)
+import System.FilePath (takeDirectory, takeExtension, (</>))
 
--- | A scene with its text, and what there is to say of it.
+-- | A scene with its text, the pictures that it uses, and what there is to say of it.
 data Loaded = Loaded
   { loadedSource :: Source,
     loadedScene :: Scene,
+    loadedAssets :: Assets,
     loadedDiagnostics :: [Diagnostic]
   }
 
--- | The scene in the file at a path, read to its end; or why there is none, in words.
+-- | The scene in the file at a path, with its pictures; or why there is none, in words.
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)
 loadScene l path =
-  readWhole path >>= \bytes -> case sceneOf . Source.decode path <$> bytes of
+  readWhole path >>= \bytes -> case Source.decode path <$> bytes of
     Left fault -> pure (Left (fileFault l fault))
-    Right loaded -> Right loaded <$ evaluate (length (loadedDiagnostics loaded))
+    Right source -> do
+      let tree = parse source
+          (scene, diagnostics) = checkScene tree
+      (assets, troubles) <- loadPictures l (takeDirectory path) (pictureNames tree)
+      let everything = sortOn diagnosticSpan (diagnostics <> troubles)
+      Right (Loaded source scene assets everything) <$ evaluate (length everything)
 
--- | The scene of a text.
-sceneOf :: Source -> Loaded
-sceneOf source = uncurry (Loaded source) (checkScene (parse source))
-
--- | The scene that is built in.
+-- | The scene that is built in. It uses no pictures.
 loadBuiltIn :: Loaded
-loadBuiltIn = sceneOf (fromText (Text.unpack defaultSceneFile) defaultScene)
+loadBuiltIn = uncurry (\scene -> Loaded source scene mempty) (checkScene (parse source))
+  where
+    source = fromText (Text.unpack defaultSceneFile) defaultScene
+
+-- | The pictures that a scene in a folder names, each loaded once; and what is wrong with each place that names one.
+loadPictures :: Language -> FilePath -> [(Text, FileUse, Span)] -> IO (Assets, [Diagnostic])
+loadPictures l folder wanted = do
+  loaded <- forM (nubOrd [name | (name, _, _) <- wanted]) $ \name -> (,) name <$> loadTexture l folder name
+  pure
+    ( Map.fromList [(name, p) | (name, Right p) <- loaded],
+      [ Diagnostic place (UnusableFile name use trouble)
+        | (name, use, place) <- wanted,
+          Just (Left trouble) <- [lookup name loaded]
+      ]
+    )
+
+loadTexture :: Language -> FilePath -> Text -> IO (Either FileTrouble Picture)
+loadTexture l folder name =
+  search "." folder name >>= \found -> case found of
+    Left (NoName _) -> pure (Left (NoSuchFile []))
+    Left (NotFound _ places) -> pure (Left (NoSuchFile (map folderOf (toList places))))
+    Left (SeveralFound _ paths) -> pure (Left (SeveralFiles (toList paths)))
+    Right path ->
+      readWhole path >>= \bytes -> case bytes of
+        Left fault -> pure (Left (Unreadable (fileFault l fault)))
+        -- The decoder is not ours: what it throws on a broken file is its complaint.
+        Right b -> either (Left . Unreadable . Text.pack . takeWhile (/= '\n') . thrown) (first Unreadable) <$> try (evaluate (decodeTexture path b))
+  where
+    folderOf place = case place of
+      Within f -> f
+      Below f -> f </> "..."
+    thrown :: ErrorCall -> String
+    thrown = show
 
 -- | The picture in the file at a path, or why there is none, in words.
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)
@@ -69,5 +110,5 @@ drawnOrLoaded l path
       Left fault -> pure (Left fault)
       Right scene -> do
         workers <- getNumCapabilities
-        (drawn, _) <- renderWith workers (pure ()) (plan (loadedScene scene))
+        (drawn, _) <- renderWith workers (pure ()) (plan (loadedAssets scene) (loadedScene scene))
         pure (Right (drawn, Just scene))

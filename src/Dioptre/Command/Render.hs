@@ -11,12 +11,13 @@ module Dioptre.Command.Render
     -- * For other commands
     failing,
     sayDiagnostics,
+    sayCut,
     traced,
     timed,
   )
 where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, when)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
@@ -30,6 +31,7 @@ import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..), renderWith)
 import Dioptre.Render.Row (Plan, plan, planHeight, planWithin, window)
+import Dioptre.Render.Shade (mostRays)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..))
@@ -77,7 +79,7 @@ render journal options = do
       sayDiagnostics journal (loadedSource loaded) (loadedDiagnostics loaded)
       if optionStrict options && any failing (loadedDiagnostics loaded)
         then ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
-        else case adjusted options (loadedScene loaded) of
+        else case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
           Right (scene, planned) -> do
             obstacle <- outputObstacle options
@@ -92,6 +94,7 @@ render journal options = do
       case outcome of
         Left fault -> ExitFailure 3 <$ sayFault journal fault
         Right path -> do
+          sayCut journal tally
           sayText journal $
             Text.concat
               [ statistics l (tallyRays tally) (tallyTests tally),
@@ -111,15 +114,17 @@ render journal options = do
           <$> writeNumbered "." (viewportImage (sceneViewport scene)) from (encode image)
 
 -- | The scene with the options' size and sampling, and its plan; or what is wrong with the options.
-adjusted :: Options -> Scene -> Either (Language -> Text) (Scene, Plan)
-adjusted options scene = do
+adjusted :: Options -> Loaded -> Either (Language -> Text) (Scene, Plan)
+adjusted options loaded = do
+  let scene = loadedScene loaded
+      assets = loadedAssets loaded
   port <- resized (optionWidth options) (optionHeight options) (sceneViewport scene)
   let tracer = sceneRaytracer scene
       scene' = scene {sceneViewport = port, sceneRaytracer = maybe tracer (\n -> tracer {raytracerSampling = n}) (optionSampling options)}
   case optionCrop options of
-    Nothing -> Right (scene', plan scene')
+    Nothing -> Right (scene', plan assets scene')
     Just (x, y, w, h) -> case window port x y w h of
-      Just part -> Right (scene', planWithin part scene')
+      Just part -> Right (scene', planWithin part assets scene')
       Nothing -> Left (\l -> outside l port)
   where
     outside l port =
@@ -150,6 +155,18 @@ traced :: Journal -> Plan -> IO (Picture, Tally)
 traced journal planned = do
   workers <- getNumCapabilities
   withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) $ \done -> renderWith workers done planned
+
+-- | Says that some pixels wanted more rays than are followed, if any did.
+sayCut :: Journal -> Tally -> IO ()
+sayCut journal tally =
+  when (tallyCut tally > 0) . sayText journal $
+    inLanguage l "warning: " "avertissement\xA0: "
+      <> Text.pack (show (tallyCut tally))
+      <> inLanguage l " rays of the camera branched into more than " " rayons de la caméra se sont ramifiés en plus de "
+      <> Text.pack (show mostRays)
+      <> inLanguage l "; what lies beyond those is black" "\xA0; ce qui est au-delà est noir"
+  where
+    l = journalLanguage journal
 
 -- | How long some work took, in seconds.
 timed :: IO a -> IO (Double, a)

@@ -25,7 +25,7 @@ import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayFault, sayText, written)
 import Dioptre.Command.Load (Loaded (..), drawnOrLoaded, loadBuiltIn, loadScene)
-import Dioptre.Command.Render (sayDiagnostics, timed, traced)
+import Dioptre.Command.Render (sayCut, sayDiagnostics, timed, traced)
 import Dioptre.Command.Wording (fileFault, numberingFault, searchFault, seconds, statistics)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
@@ -121,8 +121,9 @@ draw journal configuration = do
         inLanguage l "the scene has " "la scène comprend " <> number (length (scenePrimitives scene))
           <> inLanguage l " primitives; read in " " primitives\xA0; lue en "
           <> seconds reading
-      (tracing, (image, tally)) <- timed (traced journal (plan scene))
+      (tracing, (image, tally)) <- timed (traced journal (plan (loadedAssets loaded) scene))
       sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
+      sayCut journal tally
       (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
       case outcome of
         Left fault -> failed journal (numberingFault l fault)

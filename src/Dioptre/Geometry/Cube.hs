@@ -27,10 +27,12 @@ module Dioptre.Geometry.Cube
     -- * Intersecting
     cubeParameters,
     cubeNormal,
+    cubeContains,
   )
 where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, V3 (..), alongX, alongY, alongZ, opposite)
 import GHC.Exts (build)
 
@@ -101,3 +103,8 @@ cubeNormal (V3 cx cy cz) h r t
     V3 ox oy oz = origin r
     V3 dx dy dz = direction r
     crosses face o d = d /= 0 && (face - o) / d == t
+
+-- | Whether a point is inside the cube around C with half size h: in each coordinate nearer than (1 - 'surfaceThickness') h. A point
+-- on a face is not.
+cubeContains :: Point -> Double -> Point -> Bool
+cubeContains c h p = all (\x -> abs x < (1 - surfaceThickness) * h) (p - c)

@@ -22,19 +22,25 @@ module Dioptre.Geometry.Prepared
     nearest,
     normalAt,
     shadingNormal,
+    textureAt,
+
+    -- * Inside and outside
+    isClosed,
+    contains,
   )
 where
 
-import Dioptre.Geometry.Cube (cubeCentre, cubeNormal, cubeParameters, cubeSize)
+import Dioptre.Geometry.Cube (cubeCentre, cubeContains, cubeNormal, cubeParameters, cubeSize)
 import Dioptre.Geometry.Disk (annulusInner, annulusOuter, annulusParameters, annulusPlane, diskParameters, diskPlane, diskRadius)
 import Dioptre.Geometry.Plane (Plane, planeNormal, planeParameters, planePosition)
 import Dioptre.Geometry.Ray (Ray, direction, position)
 import Dioptre.Geometry.Shape (Shape (..))
-import Dioptre.Geometry.Sphere (sphereCentre, sphereNormal, sphereParameters, sphereRadius)
+import Dioptre.Geometry.Sphere (sphereCentre, sphereContains, sphereNormal, sphereParameters, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, interpolatedNormal, smoothTriangleFlat, smoothTriangleNormals, triangleNormal, triangleParameters, trianglePoints)
 import Dioptre.Math.Tolerance (smallestParameter)
-import Dioptre.Math.Vector (Packed, Unit, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
+import Dioptre.Math.Vector (Packed, Point, Unit, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
 import GHC.Exts (build)
+import Linear.V2 (V2)
 
 -- | A shape that rays can meet, as plain numbers.
 data Prepared
@@ -124,6 +130,24 @@ shadingNormal :: Ray -> Unit -> Unit
 shadingNormal r n
   | dot (direction r) (vector n) < 0 = n
   | otherwise = opposite n
+
+-- | The texture coordinates where a ray meets the shape, where it has any.
+textureAt :: Prepared -> Ray -> Double -> Maybe (V2 Double)
+textureAt _ _ _ = Nothing
+
+-- | Whether the shape has an inside.
+isClosed :: Prepared -> Bool
+isClosed shape = case shape of
+  Sphere _ _ -> True
+  Cube _ _ -> True
+  _ -> False
+
+-- | Whether a point is inside a closed shape. A point on the surface is not.
+contains :: Prepared -> Point -> Bool
+contains shape p = case shape of
+  Sphere c radiusSquared -> sphereContains (unpacked c) radiusSquared p
+  Cube c h -> cubeContains (unpacked c) h p
+  _ -> False
 
 -- Note [Lists that vanish]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~

@@ -21,12 +21,14 @@ module Dioptre.Geometry.Sphere
     -- * Intersecting
     sphereParameters,
     sphereNormal,
+    sphereContains,
   )
 where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Roots (quadraticRoots)
-import Dioptre.Math.Vector (Point, Unit, alongZ, dot, unit)
+import Dioptre.Math.Tolerance (surfaceThickness)
+import Dioptre.Math.Vector (Point, Unit, alongZ, distance, dot, unit)
 
 -- | A sphere.
 data Sphere = Sphere
@@ -56,6 +58,11 @@ sphereParameters c radiusSquared r = quadraticRoots (dot d d) (2 * dot w d) (dot
 sphereNormal :: Point -> Point -> Unit
 sphereNormal c p = maybe alongZ id (unit (p - c))
 {-# INLINE sphereNormal #-}
+
+-- | Whether a point is inside the sphere with that squared radius: nearer to the centre than the radius less one part in ten thousand million
+-- ('surfaceThickness'). A point on the sphere is not.
+sphereContains :: Point -> Double -> Point -> Bool
+sphereContains c radiusSquared p = distance c p < (1 - surfaceThickness) * sqrt radiusSquared
 
 -- Note [Far spheres]
 -- ~~~~~~~~~~~~~~~~~~

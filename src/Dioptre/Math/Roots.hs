@@ -102,20 +102,18 @@ linearRoots a b = build (ascending (linear a b))
 -- 2. @u = b * b@, @v = (4 * a) * c@, @w = u + |v|@, @d = u - v@.
 -- 3. If @d < 0@: @[]@.
 -- 4. If not @d > w \/ 4@: @d = (u - v) + (e - f)@, where @e@ is what rounding took from @u = b * b@, and @f@ what it
--- took
---    from @v = (4 * a) * c@; if that is negative, @[]@. What rounding took from @z = x * y@ is
+--    took from @v = (4 * a) * c@; if that is negative, @[]@. What rounding took from @z = x * y@ is
 --    @x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)@, with @x1 = g - (g - x)@, @x2 = x - x1@, @g = (2^27 + 1) * x@,
--- and
---    in the same way from @y@.
+--    and in the same way from @y@.
 -- 5. @s = sqrt d@.
 -- 6. @p = (b - s) \/ 2@ if @b < 0@, else @p = (b + s) \/ 2@.
 -- 7. If @b = 0@: with @h = |p \/ a|@, the roots are @-h@ and @h@. Else they are @0 - p \/ a@ and @0 - c \/ p@, the
--- smaller
---    one first. Those that are not finite are dropped.
+--    smaller one first. Those that are not finite are dropped.
 --
 -- Cost: a miss takes four products, two sums and a handful of comparisons; a hit, a square root and two quotients more,
 -- and, where the two products of step 2 nearly cancel (a small sphere far away), some 35 operations of step 4.
--- Nothing is allocated.
+-- Nothing is allocated. Where @a@ or @b@ is zero, and where exponents are extreme, the work is done out of line, at
+-- several times the cost and with some 300 bytes.
 quadraticRoots :: Double -> Double -> Double -> [Double]
 quadraticRoots a b c = build (ascending (quadratic a b c))
 {-# INLINE quadraticRoots #-}
@@ -207,9 +205,8 @@ solved over a b c u v
     rooted discriminant = let !p = halfSum b discriminant in pair (p `over` a) (c `over` p)
 {-# INLINE solved #-}
 
--- | The discriminant by Kahan's formula, @(u - v) + (e - f)@ with @e = productError b b u@ and @f = productError (4 *
--- a) c v@, to 2 ulp. It needs @u@ and @v@ within a factor of 2 of each other. See Note [The sign of the
--- discriminant].
+-- | Step 4: the discriminant by Kahan's formula, to 2 ulp. It needs @u@ and @v@ within a factor of 2 of each other.
+-- See Note [The sign of the discriminant].
 refined :: Double -> Double -> Double -> Double
 refined a b c = (u - v) + (productError b b u - productError (4 * a) c v)
   where

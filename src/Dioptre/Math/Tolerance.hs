@@ -8,6 +8,7 @@ module Dioptre.Math.Tolerance
   ( smallestParameter,
     smallestLength,
     collinearSine,
+    surfaceThickness,
   )
 where
 
@@ -26,3 +27,8 @@ smallestLength = 1e-10
 -- direction is noise.
 collinearSine :: Double
 collinearSine = 2 ** (-50)
+
+-- | The part of its size within which a point is on the surface of a sphere or cube, neither inside nor outside: a hit point is off by a few
+-- roundings of the numbers that it was computed from, which this exceeds for scenes up to some 10^5 times as large as the shape.
+surfaceThickness :: Double
+surfaceThickness = 1e-10

@@ -8,15 +8,22 @@
 module Dioptre.Picture.Png
   ( encode,
     decode,
+    decodeTexture,
   )
 where
 
-import Codec.Picture (Image (..), PixelRGBA8, convertRGBA8, decodeImage, encodePng)
+import Codec.Picture (DynamicImage, Image (..), PixelRGBA8, convertRGBA8, decodeImage, encodePng)
+import Codec.Picture.Tga (decodeTga)
+import Data.Bits (testBit)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (toLower)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import qualified Data.Vector.Storable as Storable
 import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWidth)
+import System.FilePath (takeExtension)
 
 -- | A picture as a PNG file: 8 bits a channel, with alpha.
 --
@@ -28,6 +35,28 @@ encode p = encodePng (Image (pictureWidth p) (pictureHeight p) (pictureBytes p) 
 decode :: ByteString -> Either Text Picture
 decode bytes = case decodeImage bytes of
   Left complaint -> Left (Text.pack complaint)
-  Right dynamic ->
-    let Image w h pixels = convertRGBA8 dynamic
-     in if w < 1 || h < 1 then Left (Text.pack "no pixels") else Right (picture w pixels)
+  Right dynamic -> fromDynamic dynamic
+
+fromDynamic :: DynamicImage -> Either Text Picture
+fromDynamic dynamic
+  | w < 1 || h < 1 = Left (Text.pack "no pixels")
+  | otherwise = Right (picture w pixels)
+  where
+    Image w h pixels = convertRGBA8 dynamic
+
+-- | The picture in a file of that name, as textures want it: row 0 is at the top, except in a TGA file, whose rows stay in the order
+-- in which it stores them. JuicyPixels turns the rows of a TGA that are stored from the bottom up (bit 5 of byte 17 is 0), so
+-- they are turned back.
+decodeTexture :: FilePath -> ByteString -> Either Text Picture
+decodeTexture path bytes
+  | map toLower (takeExtension path) /= ".tga" = decode bytes
+  | otherwise = case decodeTga bytes of
+    Left complaint -> Left (Text.pack complaint)
+    Right dynamic -> storedOrder <$> fromDynamic dynamic
+  where
+    storedOrder p
+      | Bytes.length bytes > 17 && not (testBit (Bytes.index bytes 17) 5) = turned p
+      | otherwise = p
+    turned p =
+      let row y = Storable.slice (4 * pictureWidth p * y) (4 * pictureWidth p) (pictureBytes p)
+       in picture (pictureWidth p) (Storable.concat (map row [pictureHeight p - 1, pictureHeight p - 2 .. 0]))

@@ -12,6 +12,7 @@ module Dioptre.Render.World
   ( World,
     world,
     worldSize,
+    worldShapes,
     worldMaterials,
 
     -- * The closest hit

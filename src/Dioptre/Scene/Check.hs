@@ -1,4 +1,5 @@
 {-# LANGUAGE LambdaCase #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Scene.Check
@@ -8,6 +9,7 @@
 -- pass, and what was wrong is replaced by what stood before it or by the default, so that there is always a picture.
 module Dioptre.Scene.Check
   ( checkScene,
+    pictureNames,
     sceneWords,
   )
 where
@@ -29,15 +31,15 @@ import Dioptre.Scene.Camera (Camera, Viewport, cameraSchema, defaultCamera, defa
 import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
 import Dioptre.Scene.Primitive (Model, Primitive (..), modelSchema, primitiveSchema)
-import Dioptre.Scene.Raytracer (PixelCoordinate (Random), Raytracer (..), ReflexionAlgorithm (NoLight), algorithmName, defaultRaytracer, raytracerSchema)
+import Dioptre.Scene.Raytracer (PixelCoordinate (Random), Raytracer (..), defaultRaytracer, raytracerSchema)
 import Dioptre.Scene.Schema (Check, Schema, misfit, passOver, placeOfValue, readObject, report, runCheck)
 import Dioptre.Scene.Shapes (readShape)
-import Dioptre.Source.Diagnostic (Diagnostic, PassedOver (TheLine), Problem (..))
-import Dioptre.Source.Span (Span (..), wholeFile)
+import Dioptre.Source.Diagnostic (Diagnostic, FileUse (..), PassedOver (TheLine), Problem (..))
+import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (Keyword, Role (OpensInScene), role)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Spelling (suggest)
-import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tree)
+import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tree, Value (..))
 
 -- | The scene that a tree describes, and all that is wrong with the file, in its order.
 --
@@ -74,9 +76,9 @@ object draft block = case headKeyword (blockHead block) of
   Just Keyword.Raytracer -> alone raytracerSchema raytracer (\r -> draft {raytracer = Just r})
   Just Keyword.Primitive -> among primitiveSchema (\p -> draft {primitives = primitives draft |> (block, p)})
   Just Keyword.Material -> among materialSchema (\m -> draft {materials = materials draft |> (block, m)})
-  Just Keyword.TextureMaterial -> notDrawn >> among textureMaterialSchema (\m -> draft {materials = materials draft |> (block, m)})
+  Just Keyword.TextureMaterial -> among textureMaterialSchema (\m -> draft {materials = materials draft |> (block, m)})
   Just Keyword.Model -> notDrawn >> among modelSchema (\m -> draft {models = models draft |> m})
-  Just word | role word == OpensInScene -> notDrawn >> maybe draft (\l -> draft {lights = lights draft |> l}) <$> readLight block
+  Just word | role word == OpensInScene -> maybe draft (\l -> draft {lights = lights draft |> l}) <$> readLight block
   _ -> draft <$ passOver Nothing sceneWords block
   where
     among :: Schema a b -> (b -> Draft) -> Check Draft
@@ -92,6 +94,22 @@ object draft block = case headKeyword (blockHead block) of
           pure (put (block, made))
     notDrawn = report (headSpan (blockHead block)) (NotDrawnYet (headText (blockHead block)))
 
+-- | The pictures that a scene names, where it names them, and what for. The name @none@ stands for none.
+pictureNames :: Tree -> [(Text, FileUse, Span)]
+pictureNames tree =
+  [ (valueText value, use, valueSpan value)
+    | Object block <- tree,
+      Just (use, words') <- [headKeyword (blockHead block) >>= (`lookup` users)],
+      Statement (Property word value) <- blockNodes block,
+      Just True <- [(`elem` words') <$> headKeyword word],
+      valueText value `notElem` ["", "none"]
+  ]
+  where
+    users =
+      [ (Keyword.TextureMaterial, (ForTexture, [Keyword.TextureKa, Keyword.TextureKd, Keyword.TextureKs])),
+        (Keyword.ApertureMaskLight, (ForMask, [Keyword.Mask]))
+      ]
+
 -- | The words that may open an object of a scene.
 sceneWords :: [Keyword]
 sceneWords = filter ((== OpensInScene) . role) [minBound ..]
@@ -100,7 +118,6 @@ sceneWords = filter ((== OpensInScene) . role) [minBound ..]
 finish :: Draft -> Check Scene
 finish draft = do
   traverse_ (uncurry checkRaytracer) (raytracer draft)
-  when (null (raytracer draft)) (report wholeFile (NotLitYet (algorithmName (raytracerAlgorithm defaultRaytracer))))
   named <- checkMaterials (toList (materials draft))
   added <- checkMaterialNames named (toList (primitives draft))
   pure
@@ -115,13 +132,9 @@ finish draft = do
       }
 
 checkRaytracer :: Block -> Raytracer -> Check ()
-checkRaytracer block r = do
-  when (raytracerAlgorithm r /= NoLight) $
-    report (placeOr Keyword.ReflexionAlgorithm) (NotLitYet (algorithmName (raytracerAlgorithm r)))
+checkRaytracer block r =
   when (raytracerSampling r > 1 && raytracerPixelCoordinate r /= Random) $
-    report (placeOr Keyword.Sampling) (SamplingWithoutRandom (raytracerSampling r))
-  where
-    placeOr word = valueOrHead word block
+    report (valueOrHead Keyword.Sampling block) (SamplingWithoutRandom (raytracerSampling r))
 
 -- | Where a property's value stands, or else the word that opens the object.
 valueOrHead :: Keyword -> Block -> Span

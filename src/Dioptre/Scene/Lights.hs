@@ -14,6 +14,7 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Text (Text)
 import Dioptre.Light.Colour (Colour, white)
 import Dioptre.Light.Light
+import Dioptre.Light.Wave (mostOscillators, oscillatorGrid)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Point, V3 (..), Vector, cross, modulus)
 import Dioptre.Scene.Form (colourForm, count, positive, realFrom, text, vectorForm, withUnit)
@@ -118,7 +119,9 @@ directionalSchema =
 pointSchema = light Keyword.PointLight (lampColourProperty : lampPositionProperty : lampProperties) (fmap PointLight . buildLamp)
 linearSchema =
   light Keyword.LinearApertureLight (lampColourProperty : ends : lampProperties <> waveProperties) $ \d ->
-    LinearAperture <$> buildLamp d <*> buildWave d <*> pure (draftEnds d)
+    if toInteger (waveOscillators (draftWave d)) > mostOscillators
+      then Left (TooManyOscillators (fromInteger mostOscillators))
+      else LinearAperture <$> buildLamp d <*> buildWave d <*> pure (draftEnds d)
   where
     ends =
       within draftEnds (\e d -> d {draftEnds = e}) . several (Keyword.Position :| [Keyword.Point]) vectorForm $
@@ -146,6 +149,8 @@ buildPlanar opening d = do
   wave <- buildWave d
   let aperture = draftAperture d
       front = apertureFront aperture
+      (across, upwards) = oscillatorGrid (waveOscillators wave) aperture
+  if across * upwards > mostOscillators then Left (TooManyOscillators (fromInteger mostOscillators)) else Right ()
   if modulus front < smallestLength || modulus (cross front (apertureUp aperture)) < smallestLength
     then Left UpAlongFront
     else Right (PlanarAperture opening lamp wave aperture)

@@ -29,6 +29,10 @@ module Dioptre.Source.Diagnostic
     -- * Objects
     Flaw (..),
     Fate (..),
+
+    -- * Files
+    FileUse (..),
+    FileTrouble (..),
   )
 where
 
@@ -81,8 +85,8 @@ data Problem
     ReplacedObject Text Int
   | -- | Something that is read and kept, but not drawn by this version.
     NotDrawnYet Text
-  | -- | A reflexion algorithm that this version draws as @no_light@.
-    NotLitYet Text
+  | -- | A file that the scene names and that cannot be used: its name, what it is for, and what is the matter.
+    UnusableFile Text FileUse FileTrouble
   | -- | Several rays through the very same point of each pixel.
     SamplingWithoutRandom Int
   deriving stock (Eq, Show)
@@ -203,6 +207,24 @@ data Flaw
     InvisibleWavelength
   | -- | The picture has more pixels than that.
     TooManyPixels Int
+  | -- | The light has more sources than that.
+    TooManyOscillators Int
+  deriving stock (Eq, Show)
+
+-- | What a file that a scene names is for.
+data FileUse
+  = ForTexture
+  | ForMask
+  deriving stock (Eq, Show)
+
+-- | What is the matter with a file.
+data FileTrouble
+  = -- | There is none of that name in these folders.
+    NoSuchFile [FilePath]
+  | -- | There are several.
+    SeveralFiles [FilePath]
+  | -- | There is one, but it cannot be read, in the words of who tried.
+    Unreadable Text
   deriving stock (Eq, Show)
 
 -- | How much a problem matters.
@@ -211,7 +233,6 @@ severity = \case
   NoMaterialName -> Note
   ReplacedObject {} -> Note
   NotDrawnYet {} -> Note
-  NotLitYet {} -> Warning
   MissingMaterial {} -> Warning
   RepeatedMaterial {} -> Warning
   SamplingWithoutRandom {} -> Warning
@@ -240,7 +261,10 @@ code = \case
   RepeatedMaterial {} -> "repeated-material"
   ReplacedObject {} -> "replaced-object"
   NotDrawnYet {} -> "not-drawn-yet"
-  NotLitYet {} -> "not-lit-yet"
+  UnusableFile _ _ trouble -> case trouble of
+    NoSuchFile _ -> "missing-file"
+    SeveralFiles _ -> "several-files"
+    Unreadable _ -> "unreadable-file"
   SamplingWithoutRandom {} -> "sampling-without-random"
 
 refusalCode :: Refusal -> Text
@@ -276,3 +300,4 @@ flawCode = \case
   NoAttenuation -> "no-attenuation"
   InvisibleWavelength -> "invisible-wavelength"
   TooManyPixels {} -> "too-many-pixels"
+  TooManyOscillators {} -> "too-many-oscillators"

@@ -77,10 +77,17 @@ message l = \case
     say
       [quoted object, " is read, but this version does not draw it yet"]
       [quoted object, " est lu, mais cette version ne le dessine pas encore"]
-  NotLitYet algorithm ->
-    say
-      ["this version does not compute light yet, as ", quoted algorithm, " would"]
-      ["cette version ne calcule pas encore la lumière, comme le voudrait ", quoted algorithm]
+  UnusableFile name _ trouble -> case trouble of
+    NoSuchFile folders ->
+      say
+        ["no file is called ", quoted name, " in ", folderList folders]
+        ["aucun fichier ne s'appelle ", quoted name, " dans ", folderList folders]
+    SeveralFiles paths ->
+      say
+        ["several files are called ", quoted name, ": ", folderList paths]
+        ["plusieurs fichiers s'appellent ", quoted name, "\xA0: ", folderList paths]
+    Unreadable complaint ->
+      say [quoted name, " cannot be read: ", complaint] [quoted name, " ne peut pas être lu\xA0: ", complaint]
   SamplingWithoutRandom n ->
     say
       ["the ", number n, " rays of a pixel all go through the same point of it, as 'pixel_coordinate' is not 'random': this takes time and changes nothing"]
@@ -88,6 +95,7 @@ message l = \case
   where
     say en fr = Text.concat (inLanguage l en fr)
     meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> "?")
+    folderList = Text.intercalate ", " . map Text.pack
     times n = inLanguage l (if n == 1 then "once" else number n <> " times") (number n <> " fois")
 
 refused :: Language -> Text -> Refusal -> Text
@@ -140,6 +148,7 @@ flawed l object = \case
   ZeroOrientation -> say "has an orientation of length zero" "a une orientation de longueur nulle"
   NoAttenuation -> say "has all three attenuators zero" "a ses trois atténuateurs nuls"
   InvisibleWavelength -> say "has a wavelength that is not visible (380 to 780 nm)" "a une longueur d'onde invisible (hors de 380 à 780 nm)"
+  TooManyOscillators n -> say ("has more than " <> number n <> " sources") ("a plus de " <> number n <> " sources")
   TooManyPixels n -> say ("has more than " <> number n <> " pixels") ("a plus de " <> number n <> " pixels")
   where
     say en fr = quoted object <> " " <> inLanguage l en fr
@@ -163,7 +172,7 @@ expected l = \case
   RepeatedMaterial {} -> Just (inLanguage l "another name" "un autre nom")
   ReplacedObject {} -> Nothing
   NotDrawnYet _ -> Nothing
-  NotLitYet _ -> Nothing
+  UnusableFile {} -> Just (inLanguage l "one picture (png, jpg, gif or tga) of that name" "une seule image (png, jpg, gif ou tga) de ce nom")
   SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
 
 flawExpected :: Language -> Flaw -> Maybe Text
@@ -182,6 +191,7 @@ flawExpected l = \case
   ZeroOrientation -> say "an orientation at least 1.0e-10 long" "une orientation de longueur 1.0e-10 ou plus"
   NoAttenuation -> say "one attenuator greater than zero" "un atténuateur plus grand que zéro"
   InvisibleWavelength -> say "'wave_length' from 380 to 780" "un 'wave_length' de 380 à 780"
+  TooManyOscillators _ -> say "a smaller 'nb_oscillator', or a less narrow aperture" "un 'nb_oscillator' plus petit, ou une ouverture moins étroite"
   TooManyPixels _ -> say "a smaller 'width' or 'height'" "un 'width' ou un 'height' plus petit"
   where
     say en fr = Just (inLanguage l en fr)
@@ -207,7 +217,8 @@ used l = \case
   RepeatedMaterial {} -> say "the first one" "le premier"
   ReplacedObject {} -> Nothing
   NotDrawnYet _ -> Nothing
-  NotLitYet _ -> Just "no_light"
+  UnusableFile _ ForTexture _ -> say "the plain colour" "la couleur unie"
+  UnusableFile _ ForMask _ -> say "an aperture that is open everywhere" "une ouverture entièrement ouverte"
   SamplingWithoutRandom _ -> Nothing
   where
     say en fr = Just (inLanguage l en fr)

@@ -1,0 +1,63 @@
+-- |
+-- Module      : Dioptre.Light.Illumination
+-- Description : The four terms of illumination
+--
+-- How much light a surface sends to the viewer, as sums of simple terms. At a point of the surface:
+--
+-- >        N                 d   the way the light arrives
+-- >   d \  ^  / R, E         N   the normal, towards the viewer
+-- >      \ | /               E   towards the viewer: -v, where v is the way the looking ray arrives
+-- >       v|/                R   the light mirrored: d - 2 <d, N> N
+-- >   -----+------           H   half way between the light and the viewer: -v - d, made unit
+--
+-- All directions are unit. The terms are bare: shadows, attenuation and the sum over lights are "Dioptre.Render.Shade"'s affair.
+-- Sources: J. H. Lambert, Photometria, 1760; B. T. Phong, "Illumination for computer generated pictures", CACM 18(6), 1975;
+-- J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977.
+module Dioptre.Light.Illumination
+  ( ambient,
+    lambert,
+    blinn,
+    phong,
+  )
+where
+
+import Dioptre.Light.Colour (Colour, black, filtered, scaled)
+import Dioptre.Math.Vector (Unit, Vector, dot, modulus, vector, (*^), (^/))
+
+-- | Light from everywhere: light . surface.
+ambient :: Colour -> Colour -> Colour
+ambient light surface = filtered light surface
+{-# INLINE ambient #-}
+
+-- | Light that the surface scatters: light . surface . \<N, -d>; black where the light comes from behind.
+--
+-- Law: a surface that faces the light sends all of it back, and one at 60 degrees half.
+lambert :: Colour -> Colour -> Unit -> Vector -> Colour
+lambert light surface n d
+  | facing < 0 = black
+  | otherwise = scaled facing (filtered light surface)
+  where
+    facing = negate (dot (vector n) d)
+{-# INLINE lambert #-}
+
+-- | A highlight, as Blinn has it: light . surface . \<N, H>^shininess; black where \<N, H> is negative, and where light and viewer are exactly
+-- opposite, so that there is no H. The exponent 0 gives the factor 1.
+blinn :: Colour -> Colour -> Unit -> Vector -> Vector -> Double -> Colour
+blinn light surface n d v shininess
+  | width <= 0 || facing < 0 = black
+  | otherwise = scaled (facing ** shininess) (filtered light surface)
+  where
+    between = negate v - d
+    width = modulus between
+    facing = dot (vector n) (between ^/ width)
+{-# INLINE blinn #-}
+
+-- | A highlight, as Phong has it: light . surface . \<R, E>^shininess; black where \<R, E> is negative. The exponent 0 gives the factor 1.
+phong :: Colour -> Colour -> Unit -> Vector -> Vector -> Double -> Colour
+phong light surface n d v shininess
+  | facing < 0 = black
+  | otherwise = scaled (facing ** shininess) (filtered light surface)
+  where
+    mirrored = d - (2 * dot d (vector n)) *^ vector n
+    facing = negate (dot mirrored v)
+{-# INLINE phong #-}

@@ -1,0 +1,42 @@
+-- |
+-- Module      : Dioptre.Optics.Refraction
+-- Description : Light that passes from one medium into another
+--
+-- >  v \  ^ N           n1 sin a1 = n2 sin a2
+-- >   a1\ |    n1
+-- >      v|             T = r v + (r c - sqrt (1 - r^2 (1 - c^2))) N,
+-- >  -----+-------      r = n1 / n2, c = -<v, N> = cos a1
+-- >       |\   n2
+-- >       | \ T         nothing passes where c^2 + (n2 / n1)^2 < 1
+--
+-- Snell's law as a rule for vectors: the part of T across N is r times that of v, which is the law of sines, and the part along N is what
+-- makes T unit. Source: A. S. Glassner (ed.), An Introduction to Ray Tracing, 1989, chapter 4, section 5.
+module Dioptre.Optics.Refraction
+  ( refracted,
+    refract,
+  )
+where
+
+import Dioptre.Math.Vector (Unit, Vector, dot, opposite, unit, vector, (*^))
+
+-- | The direction in which unit v goes on through a surface with unit normal N turned against it, from a medium of index n1 into
+-- one of index n2; 'Nothing' where all of it is reflected. Equal indices change nothing, at any angle.
+--
+-- Laws: n1 sin a1 = n2 sin a2; v, N and T lie in one plane; going back along T returns along v.
+refracted :: Vector -> Unit -> Double -> Double -> Maybe Vector
+refracted v n n1 n2
+  | n1 == n2 = Just v
+  | c * c + (n2 / n1) * (n2 / n1) < 1 = Nothing
+  | otherwise = Just (r *^ v + (r * c - sqrt across) *^ vector n)
+  where
+    r = n1 / n2
+    c = negate (dot v (vector n))
+    -- Not total reflection, so this is negative by rounding only, at the critical angle.
+    across = let a = 1 - r * r * (1 - c * c) in if a > 0 then a else 0
+{-# INLINE refracted #-}
+
+-- | The same for any direction: v is made unit and the normal turned against it first; 'Nothing' for the zero vector too.
+refract :: Vector -> Unit -> Double -> Double -> Maybe Vector
+refract v n n1 n2 = unit v >>= \u -> refracted (vector u) (against u) n1 n2
+  where
+    against u = if dot (vector u) (vector n) > 0 then opposite n else n

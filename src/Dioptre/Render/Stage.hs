@@ -1,0 +1,189 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Render.Stage
+-- Description : Surfaces and lights made ready
+--
+-- What shading needs of a scene beside its shapes: the colours that follow from each material, the lights with unit directions, and
+-- which terms of illumination are added up.
+module Dioptre.Render.Stage
+  ( -- * Stages
+    Stage (..),
+    stage,
+
+    -- * Surfaces
+    Surface (..),
+    TexturedColours (..),
+    isTransparent,
+
+    -- * Lights
+    Source (..),
+
+    -- * Terms
+    Terms (..),
+    Highlight (..),
+    termsOf,
+  )
+where
+
+import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
+import Data.Text (Text)
+import Data.Vector (Vector)
+import qualified Data.Vector as Vector
+import qualified Data.Vector.Unboxed as Unboxed
+import Dioptre.Light.Colour (Colour, white)
+import qualified Dioptre.Light.Colour as Colour
+import Dioptre.Light.Light (Aperture (..), Lamp (..), Light (..), Opening (..), Wave (..))
+import Dioptre.Light.Material (Material (..), Textures (..), ambientColour, diffuseColour, specularColour)
+import Dioptre.Light.Wave (linearOscillators, planarOscillators)
+import Dioptre.Light.Wavelength (colourOfWavelength)
+import Dioptre.Math.Vector (Packed, Point, V3 (..), packed, unit, vector, (*^))
+import Dioptre.Picture (Picture)
+import Dioptre.Render.Texture (Assets, texel)
+import Dioptre.Render.World (World, world, worldMaterials)
+import Dioptre.Scene (Scene (..))
+import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
+import Linear.V2 (V2 (..))
+
+-- | Everything that the colour of a ray depends on.
+data Stage = Stage
+  { stageWorld :: !World,
+    -- | The surface of each shape, by its number.
+    stageSurfaces :: !(Vector Surface),
+    stageSources :: !(Vector Source),
+    -- | 'Nothing' for no light at all.
+    stageTerms :: !(Maybe Terms),
+    -- | How deep reflected and refracted rays go; 1 for none.
+    stageDepth :: {-# UNPACK #-} !Int,
+    -- | Whether any closed shape lets light through, so that refractive indices matter.
+    stageHasMedia :: !Bool
+  }
+
+-- | The stage of a scene with its pictures.
+stage :: Assets -> Scene -> Stage
+stage assets scene =
+  Stage
+    { stageWorld = w,
+      stageSurfaces = surfaces,
+      stageSources = Vector.fromList (mapMaybe (source assets) (sceneLights scene)),
+      stageTerms = termsOf (raytracerAlgorithm (sceneRaytracer scene)),
+      stageDepth = raytracerRecursiveLevel (sceneRaytracer scene),
+      stageHasMedia = Vector.any isTransparent surfaces
+    }
+  where
+    w = world scene
+    surfaces = Vector.map (surface assets) (worldMaterials w)
+
+-- | A material's colours.
+data Surface = Surface
+  { surfaceAmbient :: !Colour,
+    surfaceDiffuse :: !Colour,
+    surfaceSpecular :: !Colour,
+    surfaceShininess :: {-# UNPACK #-} !Double,
+    -- | kr.
+    surfaceMirror :: {-# UNPACK #-} !Double,
+    -- | kt.
+    surfaceTransparency :: {-# UNPACK #-} !Double,
+    -- | The colour times kt.
+    surfaceTint :: !Colour,
+    -- | That of the material, or 1 where nothing passes.
+    surfaceIndex :: {-# UNPACK #-} !Double,
+    surfaceTextures :: !(Maybe TexturedColours)
+  }
+
+-- | Pictures that stand in for the three colours where there are texture coordinates.
+data TexturedColours = TexturedColours
+  { texturedAmbient :: !(Maybe Picture),
+    texturedDiffuse :: !(Maybe Picture),
+    texturedSpecular :: !(Maybe Picture)
+  }
+
+-- | Whether a surface lets light through.
+isTransparent :: Surface -> Bool
+isTransparent s = surfaceTransparency s /= 0
+
+surface :: Assets -> Material -> Surface
+surface assets m =
+  Surface
+    { surfaceAmbient = ambientColour m,
+      surfaceDiffuse = diffuseColour m,
+      surfaceSpecular = specularColour m,
+      surfaceShininess = materialShininess m,
+      surfaceMirror = materialKr m,
+      surfaceTransparency = materialKt m,
+      surfaceTint = Colour.scaled (materialKt m) (materialColour m),
+      surfaceIndex = if materialKt m /= 0 then materialRefractiveIndex m else 1,
+      surfaceTextures = materialTextures m >>= textured
+    }
+  where
+    textured t = case TexturedColours (at textureKa t) (at textureKd t) (at textureKs t) of
+      TexturedColours Nothing Nothing Nothing -> Nothing
+      some -> Just some
+    at :: (Textures -> Text) -> Textures -> Maybe Picture
+    at which t = Map.lookup (which t) assets
+
+-- | A light, ready.
+data Source
+  = -- | Colour.
+    FromEverywhere !Colour
+  | -- | Colour, and the unit direction in which it travels.
+    FromFar !Colour {-# UNPACK #-} !Packed
+  | -- | Colour, position, amplification, and the three attenuators.
+    FromPoint !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed
+  | -- | The same for waves, whose colour is the wavelength's, with the sources.
+    FromWaves !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed !Wave !(Unboxed.Vector (Double, Double, Double))
+
+source :: Assets -> Light -> Maybe Source
+source assets light = case light of
+  Ambient c -> Just (FromEverywhere c)
+  Directional c v -> FromFar c . packed . vector <$> unit v
+  PointLight lamp -> Just (FromPoint (lampColour lamp) (packed (lampPosition lamp)) (lampAmplification lamp) (attenuators lamp))
+  LinearAperture lamp wave ends@(a, b) -> Just (waves lamp wave (0.5 *^ (a + b)) (linearOscillators (waveOscillators wave) ends))
+  PlanarAperture opening lamp wave aperture ->
+    Just (waves lamp wave (lampPosition lamp) (planarOscillators (isOpen assets opening aperture) (lampPosition lamp) (waveOscillators wave) aperture))
+  where
+    attenuators lamp = let (c, l, q) = lampAttenuators lamp in packed (V3 c l q)
+    waves :: Lamp -> Wave -> Point -> [Point] -> Source
+    waves lamp wave middle points =
+      FromWaves
+        (colourOfWavelength (waveLength wave))
+        (packed middle)
+        (lampAmplification lamp)
+        (attenuators lamp)
+        wave
+        (Unboxed.fromList [(x, y, z) | V3 x y z <- points])
+
+-- | Whether a place of an aperture, from its corner to the right and up, lets light through.
+isOpen :: Assets -> Opening -> Aperture -> Double -> Double -> Bool
+isOpen assets opening aperture x y = case opening of
+  Rectangle -> True
+  Ellipse -> let dx = x - w / 2; dy = y - h / 2 in dx * dx / (w * w / 4) + dy * dy / (h * h / 4) <= 1 + 1e-10
+  Mask name -> maybe True (\p -> texel p (V2 (x / w) (y / h)) == white) (Map.lookup name assets)
+  where
+    w = apertureWidth aperture
+    h = apertureHeight aperture
+
+-- | Which terms a reflexion algorithm adds up.
+data Terms = Terms
+  { termAmbient :: !Bool,
+    termDiffuse :: !Bool,
+    termHighlight :: !Highlight
+  }
+  deriving stock (Eq, Show)
+
+-- | Which highlight, if any.
+data Highlight = NoHighlight | BlinnHighlight | PhongHighlight
+  deriving stock (Eq, Show)
+
+-- | The terms of an algorithm; 'Nothing' for the one without light.
+termsOf :: ReflexionAlgorithm -> Maybe Terms
+termsOf algorithm = case algorithm of
+  NoLight -> Nothing
+  AmbientOnly -> Just (Terms True False NoHighlight)
+  DiffuseOnly -> Just (Terms False True NoHighlight)
+  PhongSpecular -> Just (Terms False False PhongHighlight)
+  BlinnSpecular -> Just (Terms False False BlinnHighlight)
+  NoSpecular -> Just (Terms True True NoHighlight)
+  Phong -> Just (Terms True True PhongHighlight)
+  Blinn -> Just (Terms True True BlinnHighlight)

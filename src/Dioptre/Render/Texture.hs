@@ -1,0 +1,33 @@
+-- |
+-- Module      : Dioptre.Render.Texture
+-- Description : Pictures on surfaces
+module Dioptre.Render.Texture
+  ( Assets,
+    texel,
+  )
+where
+
+import Data.Map.Strict (Map)
+import Data.Text (Text)
+import qualified Data.Vector.Storable as Storable
+import Dioptre.Light.Colour (Colour, rgb)
+import Dioptre.Picture (Picture, pictureBytes, pictureHeight, pictureWidth)
+import GHC.Float (float2Double)
+import Linear.V2 (V2 (..))
+
+-- | The pictures that a scene uses, by the names that it has for them.
+type Assets = Map Text Picture
+
+-- | The colour of a picture at texture coordinates: the picture repeats beyond 0 and 1, v runs down from the first row, and the pixel is the one
+-- at trunc (u (width - 1)), trunc (v (height - 1)). Alpha is left out.
+texel :: Picture -> V2 Double -> Colour
+texel p (V2 u v) = rgb (channel 0) (channel 1) (channel 2)
+  where
+    x = place u (pictureWidth p)
+    y = place v (pictureHeight p)
+    place c size = min (size - 1) (max 0 (truncate (wrapped c * fromIntegral (size - 1))))
+    -- The place of the pixel is within the picture, whose bytes are four a pixel.
+    channel k = float2Double (fromIntegral (pictureBytes p Storable.! (4 * (y * pictureWidth p + x) + k)) / 255)
+    wrapped c
+      | c > 0 = c - fromIntegral (ceiling c :: Integer) + 1
+      | otherwise = c - fromIntegral (floor c :: Integer)
