@@ -30,15 +30,26 @@ module Dioptre.Geometry.Prepared
   )
 where
 
+import Data.Maybe (fromMaybe)
+import Dioptre.Geometry.Cap (capNormal, capParameters)
+import Dioptre.Geometry.Cone (coneContains, coneNormal, coneParameters)
 import Dioptre.Geometry.Cube (cubeCentre, cubeContains, cubeNormal, cubeParameters, cubeSize)
+import Dioptre.Geometry.Cylinder (cylinderContains, cylinderNormal, cylinderParameters)
 import Dioptre.Geometry.Disk (annulusInner, annulusOuter, annulusParameters, annulusPlane, diskParameters, diskPlane, diskRadius)
+import Dioptre.Geometry.Lens (lensContains, lensNormal, lensParameters)
+import Dioptre.Geometry.Placement (Placement, carriedBack, placement)
 import Dioptre.Geometry.Plane (Plane, planeNormal, planeParameters, planePosition)
 import Dioptre.Geometry.Ray (Ray, direction, position)
+import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereContains, sphereNormal, sphereParameters, sphereRadius)
-import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, interpolatedNormal, smoothTriangleFlat, smoothTriangleNormals, triangleNormal, triangleParameters, trianglePoints)
+import Dioptre.Geometry.Torus (torusContains, torusNormal, torusParameters)
+import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, interpolatedNormal, smoothTriangleFlat, smoothTriangleNormals, smoothTriangleUvs, triangleNormal, triangleParameters, trianglePoints)
+import Dioptre.Geometry.Tube (tubeNormal, tubeParameters)
+import Dioptre.Geometry.Uv (coneUv, cubeUv, cylinderUv, diskUv, planeUv, sideUv, sphereUv, torusUv, triangleUv)
 import Dioptre.Math.Tolerance (smallestParameter)
-import Dioptre.Math.Vector (Packed, Point, Unit, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
+import Dioptre.Math.Transform (inversePosition, transformNormal)
+import Dioptre.Math.Vector (Packed, Point, Unit, distance, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector, (*^))
 import GHC.Exts (build)
 import Linear.V2 (V2)
 
@@ -56,11 +67,31 @@ data Prepared
     Cube {-# UNPACK #-} !Packed {-# UNPACK #-} !Double
   | -- | Three corners, unit normal.
     Triangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
-  | -- | Three corners, unit normal, the corners' unit normals.
-    SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed !(Corners Unit)
+  | -- | Three corners, unit normal, the corners' unit normals and texture coordinates.
+    SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed !(Corners Unit) !(Corners (V2 Double))
+  | Tube {-# UNPACK #-} !Axial
+  | Cylinder {-# UNPACK #-} !Axial
+  | Cone {-# UNPACK #-} !Axial
+  | -- | The rim, and the curvatures of the faces at its start and its end.
+    Lens {-# UNPACK #-} !Axial {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+  | -- | Centre of the disk, unit normal, radius, curvature.
+    Cap {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+  | -- | Centre, unit normal, major and minor radius.
+    Torus {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+  | -- | A shape in a frame of its own.
+    Placed !Placement !Prepared
   deriving stock (Eq, Show)
 
--- | A shape made ready; 'Nothing' for the shapes that this version does not draw yet.
+-- | What shapes on an axis have: its start P1, its unit direction S, its length H, and the radius R.
+data Axial = Axial {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+  deriving stock (Eq, Show)
+
+-- | Gives a rule the numbers of an axis.
+along :: Axial -> (Point -> Unit -> Double -> Double -> a) -> a
+along (Axial p s h r) rule = rule (unpacked p) (unpackedUnit s) h r
+{-# INLINE along #-}
+
+-- | A shape made ready. ('Nothing' for a direction that cannot be made unit, which checked shapes do not have.)
 prepare :: Shape -> Maybe Prepared
 prepare shape = case shape of
   APlane p -> onPlane p Plane
@@ -72,18 +103,25 @@ prepare shape = case shape of
   ASmoothTriangle s ->
     let flat = triangleNormal (smoothTriangleFlat s)
         Corners n0 n1 n2 = smoothTriangleNormals s
-        normalOr = maybe flat id . unit
-     in Just (ofCorners (smoothTriangleFlat s) (\a b c n -> SmoothTriangle a b c n (Corners (normalOr n0) (normalOr n1) (normalOr n2))))
-  ATube _ -> Nothing
-  ACylinder _ -> Nothing
-  ACone _ -> Nothing
-  ALens _ -> Nothing
-  ACap _ -> Nothing
-  ATorus _ -> Nothing
-  ATransformed _ _ -> Nothing
+        made = fromMaybe flat . unit
+        normals = Corners (made n0) (made n1) (made n2)
+     in Just (ofCorners (smoothTriangleFlat s) (\a b c n -> SmoothTriangle a b c n normals (smoothTriangleUvs s)))
+  ATube r -> Tube <$> onAxis r
+  ACylinder r -> Cylinder <$> onAxis r
+  ACone r -> Cone <$> onAxis r
+  ALens l -> let (c1, c2) = lensCurvatures l in (\a -> Lens a c1 c2) <$> onAxis (lensBody l)
+  ACap c -> onPlane (diskPlane (capDisk c)) (\p n -> Cap p n (diskRadius (capDisk c)) (capCurvature c))
+  ATorus t -> onPlane (torusPlane t) (\p n -> Torus p n (torusMajor t) (torusMinor t))
+  ATransformed t inner -> Placed (placement t) <$> prepare inner
 
 onPlane :: Plane -> (Packed -> Packed -> Prepared) -> Maybe Prepared
 onPlane p make = make (packed (planePosition p)) . packedUnit <$> unit (planeNormal p)
+
+onAxis :: Round -> Maybe Axial
+onAxis r = (\s -> Axial (packed start) (packedUnit s) (distance start end) (roundRadius r)) <$> unit (end - start)
+  where
+    start = axisStart (roundAxis r)
+    end = axisEnd (roundAxis r)
 
 ofCorners :: Triangle -> (Packed -> Packed -> Packed -> Packed -> a) -> a
 ofCorners t make =
@@ -102,8 +140,22 @@ parameters shape r = build $ \cons nil -> case shape of
   Sphere c radiusSquared -> foldr cons nil (sphereParameters (unpacked c) radiusSquared r)
   Cube c h -> foldr cons nil (cubeParameters (unpacked c) h r)
   Triangle a b c n -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
-  SmoothTriangle a b c n _ -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
+  SmoothTriangle a b c n _ _ -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
+  _ -> foldr cons nil (rareParameters shape r)
 {-# INLINE parameters #-}
+
+-- | The rules that are long, once in the program instead of everywhere. Their lists are made; beside the arithmetic that is little.
+rareParameters :: Prepared -> Ray -> [Double]
+rareParameters shape r = case shape of
+  Tube a -> along a tubeParameters r
+  Cylinder a -> along a cylinderParameters r
+  Cone a -> along a coneParameters r
+  Lens a c1 c2 -> along a lensParameters c1 c2 r
+  Cap p n radius c -> capParameters (unpacked p) (unpackedUnit n) radius c r
+  Torus p n major minor -> torusParameters (unpacked p) (unpackedUnit n) major minor r
+  Placed place inner -> parameters inner (carriedBack place r)
+  _ -> parameters shape r
+{-# NOINLINE rareParameters #-}
 
 -- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound; the bound
 -- itself if there is none.
@@ -122,8 +174,15 @@ normalAt shape r t = case shape of
   Sphere c _ -> sphereNormal (unpacked c) (position r t)
   Cube c h -> cubeNormal (unpacked c) h r t
   Triangle _ _ _ n -> unpackedUnit n
-  SmoothTriangle a b c n normals ->
+  SmoothTriangle a b c n normals _ ->
     interpolatedNormal (unpackedUnit n) normals (barycentric (unpacked a) (unpacked b) (unpacked c) (position r t))
+  Tube a -> along a (\p1 s _ _ -> tubeNormal p1 s (position r t))
+  Cylinder a -> along a cylinderNormal r t
+  Cone a -> along a coneNormal r t
+  Lens a c1 c2 -> along a lensNormal c1 c2 r t
+  Cap p n radius c -> capNormal (unpacked p) (unpackedUnit n) radius c (position r t)
+  Torus p n major minor -> torusNormal (unpacked p) (unpackedUnit n) major minor (position r t)
+  Placed place inner -> transformNormal place (normalAt inner (carriedBack place r) t)
 
 -- | A normal turned against the direction in which a ray arrives: n where \<d, n> < 0, otherwise -n.
 shadingNormal :: Ray -> Unit -> Unit
@@ -131,23 +190,66 @@ shadingNormal r n
   | dot (direction r) (vector n) < 0 = n
   | otherwise = opposite n
 
--- | The texture coordinates where a ray meets the shape, where it has any.
-textureAt :: Prepared -> Ray -> Double -> Maybe (V2 Double)
-textureAt _ _ _ = Nothing
+-- | The texture coordinates where a ray meets the shape, at a parameter that 'parameters' gave; those of a transformed shape are taken in its
+-- own frame.
+textureAt :: Prepared -> Ray -> Double -> V2 Double
+textureAt shape r t = case shape of
+  Plane p n -> planeUv (unpacked p) (unpackedUnit n) v
+  Disk p n radius -> diskUv (unpacked p) (unpackedUnit n) radius v
+  Annulus p n _ outer -> diskUv (unpacked p) (unpackedUnit n) outer v
+  Sphere c _ -> sphereUv (unpacked c) v
+  Cube c h -> cubeUv (unpacked c) h outward v
+  Triangle a b c _ -> triangleUv (barycentric (unpacked a) (unpacked b) (unpacked c) v)
+  SmoothTriangle a b c _ _ (Corners uv0 uv1 uv2) ->
+    let (t1, t2) = barycentric (unpacked a) (unpacked b) (unpacked c) v
+     in (1 - t1 - t2) *^ uv0 + t1 *^ uv1 + t2 *^ uv2
+  Tube a -> along a (\p1 s h _ -> sideUv p1 s h v)
+  Cylinder a -> along a cylinderUv outward v
+  Cone a -> along a coneUv outward v
+  Lens a _ _ -> along a $ \p1 s h radius ->
+    if outward == tubeNormal p1 s v then sideUv p1 s h v else diskUv p1 s radius v
+  Cap p n radius _ -> diskUv (unpacked p) (unpackedUnit n) radius v
+  Torus p n major _ -> torusUv (unpacked p) (unpackedUnit n) major v
+  Placed place inner -> textureAt inner (carriedBack place r) t
+  where
+    v = position r t
+    outward = normalAt shape r t
 
 -- | Whether the shape has an inside.
 isClosed :: Prepared -> Bool
 isClosed shape = case shape of
   Sphere _ _ -> True
   Cube _ _ -> True
-  _ -> False
+  Cylinder _ -> True
+  Cone _ -> True
+  Lens {} -> True
+  Torus {} -> True
+  Placed _ inner -> isClosed inner
+  Plane _ _ -> False
+  Disk {} -> False
+  Annulus {} -> False
+  Triangle {} -> False
+  SmoothTriangle {} -> False
+  Tube _ -> False
+  Cap {} -> False
 
 -- | Whether a point is inside a closed shape. A point on the surface is not.
 contains :: Prepared -> Point -> Bool
 contains shape p = case shape of
   Sphere c radiusSquared -> sphereContains (unpacked c) radiusSquared p
   Cube c h -> cubeContains (unpacked c) h p
-  _ -> False
+  Cylinder a -> along a cylinderContains p
+  Cone a -> along a coneContains p
+  Lens a c1 c2 -> along a lensContains c1 c2 p
+  Torus c n major minor -> torusContains (unpacked c) (unpackedUnit n) major minor p
+  Placed place inner -> contains inner (inversePosition place p)
+  Plane _ _ -> False
+  Disk {} -> False
+  Annulus {} -> False
+  Triangle {} -> False
+  SmoothTriangle {} -> False
+  Tube _ -> False
+  Cap {} -> False
 
 -- Note [Lists that vanish]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~

@@ -10,7 +10,7 @@
 -- > spherical cap    P, n, R, c             a part of the sphere with radius |c|, over a disk
 -- > torus            P, n, R, r             a tube of radius r around a circle of radius R
 --
--- What these shapes are, and which numbers make one. This version does not draw them yet: they are read, checked and written.
+-- What these shapes are, and which numbers make one. Where rays meet them stands in a module for each: "Dioptre.Geometry.Tube" and its neighbours.
 module Dioptre.Geometry.Round
   ( -- * Axes
     Axis,

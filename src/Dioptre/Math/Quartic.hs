@@ -44,7 +44,7 @@ module Dioptre.Math.Quartic
   )
 where
 
-import Data.Bits (shiftL, unsafeShiftR)
+import Data.Bits (shiftL, unsafeShiftR, xor, (.&.))
 import Dioptre.Math.Roots (quadraticRoots)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
@@ -100,8 +100,8 @@ withZero roots = let (below, above) = span (< 0) roots in below ++ 0 : above
 -- positive; then solved in binary64 if their sizes allow it, and if that leaves no doubt. See Note [Sizes].
 scaled :: (Double -> Double -> Double -> Double -> Double -> Chain) -> Double -> Double -> Double -> Double -> Double -> [Double]
 scaled solve a b c d e
-  | ordinary lead && ordinary e' && negligible (k * b) && negligible c' && negligible d' =
-    case solve (k * a) (k * b) c' d' e' of
+  | abs lead >= 0x1p-60 && abs e' >= 0x1p-200 && negligible b' && negligible c' && negligible d' =
+    case solve a' b' c' d' e' of
       Unsure -> exactRoots coefficients
       chain -> listed chain
   | otherwise = exactRoots coefficients
@@ -109,17 +109,19 @@ scaled solve a b c d e
     coefficients = if a == 0 then [b, c, d, e] else [a, b, c, d, e]
     leading = if a == 0 then b else a
     largest = abs a `larger` abs b `larger` abs c `larger` abs d `larger` abs e
-    -- 2^k, k from the exponent's bits; the largest is brought to the middle first where 2^k is no normal number
-    !k
-      | largest > 0x1p-1000 && largest < 0x1p1000 = signed (castWord64ToDouble ((2046 - field largest) `shiftL` 52))
-      | otherwise = 0 / 0
-    signed x = if leading < 0 then negate x else x
-    field x = castDoubleToWord64 x `unsafeShiftR` 52
-    !lead = k * leading
-    !c' = k * c
-    !d' = k * d
-    !e' = k * e
-    ordinary x = abs x >= 0x1p-60
+    -- First to the middle of the range of exponents, then to 1: both factors are normal numbers.
+    !j
+      | largest < 0x1p-500 = 0x1p600
+      | largest > 0x1p500 = 0x1p-600
+      | otherwise = 1
+    !k = castWord64ToDouble ((2046 - (castDoubleToWord64 (j * largest) `unsafeShiftR` 52)) `shiftL` 52)
+    !k' = if leading < 0 then negate k else k
+    !a' = k' * (j * a)
+    !b' = k' * (j * b)
+    !c' = k' * (j * c)
+    !d' = k' * (j * d)
+    !e' = k' * (j * e)
+    !lead = if a == 0 then b' else a'
     negligible x = x == 0 || abs x >= 0x1p-400
 {-# INLINE scaled #-}
 
@@ -352,7 +354,8 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
     polish :: Int -> Double -> Double -> Double -> Double
     polish !n !l !h !x
       | abs v <= doubt s = x
-      | refined there && abs step <= 0x1p-40 * abs x = if x' >= l' && x' <= h' then x' else x
+      | x' == x = x
+      | refined there && abs step <= enough * abs x = if x' >= l' && x' <= h' then x' else x
       | x' > l' && x' < h' && (n < 20 || even n) = polish (n + 1) l' h' x'
       | middle > l' && middle < h' = polish (n + 1) l' h' middle
       | otherwise = x
@@ -360,12 +363,15 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
         !there = p `at` x
         !v = value there
         !s = size there
-        !step = v / slope p x
+        !v' = slope p x
+        !step = v / v'
+        -- Newton's method squares the error, in units of the distance to where the slope vanishes.
+        !enough = if abs (v' * x) > 0x1p-20 * s then 0x1p-40 else 0x1p-55
         !x' = x - step
         !below = v * sign > 0
         !l' = if below then x else l
         !h' = if below then h else x
-        middle = if n < 20 then 0.5 * (l' + h') else ordinal ((position l' + position h') `div` 2)
+        middle = if n < 20 then 0.5 * (l' + h') else ordinal (average (position l') (position h'))
 {-# NOINLINE root #-}
 
 -------------------------------------------------------------------------------
@@ -377,6 +383,10 @@ position x
   | x < 0 = negate (fromIntegral (castDoubleToWord64 (negate x)))
   | otherwise = fromIntegral (castDoubleToWord64 (abs x))
 
+-- | The whole number in the middle, without the sum, which might overflow.
+average :: Int -> Int -> Int
+average i j = (i .&. j) + ((i `xor` j) `unsafeShiftR` 1)
+
 ordinal :: Int -> Double
 ordinal i
   | i < 0 = negate (castWord64ToDouble (fromIntegral (negate i)))
@@ -385,7 +395,7 @@ ordinal i
 -- | The same roots by the same rule, with exact signs: Newton's method gives way to halving the doubles that remain. Each simple root is the double
 -- nearest to it. Coefficients are finite, the first is not zero.
 exactRoots :: [Double] -> [Double]
-exactRoots coefficients = concatMap (\(x, m) -> replicate m x) (exactChain (length numbers - 1) numbers)
+exactRoots coefficients = filter finite (concatMap (\(x, m) -> replicate m x) (exactChain (length numbers - 1) numbers))
   where
     parts = map decodeFloat coefficients
     lowest = minimum [k | (n, k) <- parts, n /= 0]
@@ -397,7 +407,8 @@ exactChain :: Int -> [Integer] -> [(Double, Int)]
 exactChain 0 _ = []
 exactChain n p = go (negate top) (signAt (negate top)) (exactChain (n - 1) (zipWith (*) p (map toInteger [n, n - 1 .. 1])))
   where
-    top = position 0x1.fffffffffffffp1023
+    -- The place after the largest double: decodeFloat takes infinity for 2^1024.
+    top = position (1 / 0)
     signAt = signum . evaluated p . dyadic . ordinal
     go i s [] = crossing i s top (signAt top)
     go i s ((c, m) : rest)
@@ -410,12 +421,12 @@ exactChain n p = go (negate top) (signAt (negate top)) (exactChain (n - 1) (zipW
       | s * s' < 0 = [(halved i s j, 1)]
       | otherwise = []
     halved i s j
-      | j - i <= 1 = if s * signum (evaluated p (halfway i j)) > 0 then ordinal j else ordinal i
+      | j <= i + 1 = if s * signum (evaluated p (halfway i j)) > 0 then ordinal j else ordinal i
       | s' == 0 = ordinal k
       | s' == s = halved k s j
       | otherwise = halved i s k
       where
-        k = (i + j) `div` 2
+        k = average i j
         s' = signAt k
     halfway i j = let (x, k) = dyadic (ordinal i); (y, l) = dyadic (ordinal j); h = max k l in ((x `shiftL` (h - k)) + (y `shiftL` (h - l)), h + 1)
     touches c m = v == 0 || (4 * v `shiftL` (25 * (m + 1)) <= 3 * term && v `shiftL` 50 <= sizes)

@@ -9,6 +9,9 @@ module Dioptre.Math.Tolerance
     smallestLength,
     collinearSine,
     surfaceThickness,
+    roundThickness,
+    endThickness,
+    rimOverlap,
   )
 where
 
@@ -32,3 +35,20 @@ collinearSine = 2 ** (-50)
 -- roundings of the numbers that it was computed from, which this exceeds for scenes up to some 10^5 times as large as the shape.
 surfaceThickness :: Double
 surfaceThickness = 1e-10
+
+-- | The part of its radius within which a point is on the curved surface around an axis, neither inside nor outside. The radius squared is known to
+-- some 2^-51 of the squared distance from which the ray came, so a hit point is within this as long as the ray starts no farther away than some
+-- 10^4 radii.
+roundThickness :: Double
+roundThickness = 1e-7
+
+-- | The distance within which a point is on the end plane of a shape around an axis, in the scene's unit of length. It exceeds a few roundings of
+-- coordinates up to some 10^5.
+endThickness :: Double
+endThickness = 1e-10
+
+-- | The faces and the side of a lens overlap at the rim by this part of the parameters that meet there: 2^-49. Each is a sum of two numbers, the larger
+-- of which carries the rounding of a position (2 units of 2^-53), of a product (1) and of the sum itself (1); two of them thus
+-- differ by less than 8 units, and the overlap is 16.
+rimOverlap :: Double
+rimOverlap = 2 ** (-49)

@@ -244,11 +244,10 @@ data Colours = Colours {ambientOf :: !Colour, diffuseOf :: !Colour, specularOf :
 coloursAt :: Surface -> Prepared -> Ray -> Double -> Colours
 coloursAt surf shape r t = case surfaceTextures surf of
   Nothing -> Colours (surfaceAmbient surf) (surfaceDiffuse surf) (surfaceSpecular surf) (surfaceShininess surf)
-  Just (TexturedColours a d h) -> case textureAt shape r t of
-    Nothing -> Colours (surfaceAmbient surf) (surfaceDiffuse surf) (surfaceSpecular surf) (surfaceShininess surf)
-    Just uv ->
-      let or' plain = maybe plain (`texel` uv)
-       in Colours (or' (surfaceAmbient surf) a) (or' (surfaceDiffuse surf) d) (or' (surfaceSpecular surf) h) (surfaceShininess surf)
+  Just (TexturedColours a d h) ->
+    let uv = textureAt shape r t
+        or' plain = maybe plain (`texel` uv)
+     in Colours (or' (surfaceAmbient surf) a) (or' (surfaceDiffuse surf) d) (or' (surfaceSpecular surf) h) (surfaceShininess surf)
 
 -- | The surface of a shape that is there.
 surfaceOf :: Stage -> Int -> Surface

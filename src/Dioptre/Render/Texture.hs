@@ -10,6 +10,7 @@ where
 import Data.Map.Strict (Map)
 import Data.Text (Text)
 import qualified Data.Vector.Storable as Storable
+import Dioptre.Geometry.Uv (wrapped)
 import Dioptre.Light.Colour (Colour, rgb)
 import Dioptre.Picture (Picture, pictureBytes, pictureHeight, pictureWidth)
 import GHC.Float (float2Double)
@@ -28,6 +29,3 @@ texel p (V2 u v) = rgb (channel 0) (channel 1) (channel 2)
     place c size = min (size - 1) (max 0 (truncate (wrapped c * fromIntegral (size - 1))))
     -- The place of the pixel is within the picture, whose bytes are four a pixel.
     channel k = float2Double (fromIntegral (pictureBytes p Storable.! (4 * (y * pictureWidth p + x) + k)) / 255)
-    wrapped c
-      | c > 0 = c - fromIntegral (ceiling c :: Integer) + 1
-      | otherwise = c - fromIntegral (floor c :: Integer)

@@ -13,12 +13,10 @@ module Dioptre.Scene.Shapes
 where
 
 import Data.List.NonEmpty (NonEmpty (..))
-import Data.Maybe (isNothing)
 import Data.Text (Text)
 import Dioptre.Geometry.Cube (Cube, cube, cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (Annulus, Disk, annulus, annulusInner, annulusOuter, annulusPlane, disk, diskPlane, diskRadius)
 import Dioptre.Geometry.Plane (Plane, plane, planeNormal, planePosition)
-import Dioptre.Geometry.Prepared (prepare)
 import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (Sphere, sphere, sphereCentre, sphereRadius)
@@ -27,7 +25,7 @@ import Dioptre.Math.Transform (Transform, transform, transformRotation, transfor
 import Dioptre.Math.Vector (Point, V3 (..), Vector)
 import Dioptre.Scene.Form (directionForm, optionally, positive, realFrom, realThatIsAny, scaleForm, textureForm, vectorForm)
 import Dioptre.Scene.Schema
-import Dioptre.Source.Diagnostic (Expectation, Flaw (..), Problem (NotDrawnYet), Refusal (SamePoint))
+import Dioptre.Source.Diagnostic (Expectation, Flaw (..), Refusal (SamePoint))
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline)
@@ -36,27 +34,22 @@ import Linear.V2 (V2 (..))
 
 -- | The shape that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no shape's.
 readShape :: Block -> Check (Maybe Shape)
-readShape block = do
-  shape <- case headKeyword (blockHead block) of
-    Just Keyword.Plane -> through APlane planeSchema
-    Just Keyword.Disk -> through ADisk diskSchema
-    Just Keyword.Annulus -> through AnAnnulus annulusSchema
-    Just Keyword.Sphere -> through ASphere sphereSchema
-    Just Keyword.Cube -> through ACube cubeSchema
-    Just Keyword.Triangle -> through ATriangle triangleSchema
-    Just Keyword.SmoothTriangle -> through ASmoothTriangle smoothTriangleSchema
-    Just Keyword.Tube -> through ATube (roundSchema Keyword.Tube)
-    Just Keyword.Cylinder -> through ACylinder (roundSchema Keyword.Cylinder)
-    Just Keyword.Cone -> through ACone (roundSchema Keyword.Cone)
-    Just Keyword.Lens -> through ALens lensSchema
-    Just Keyword.SphericalCap -> through ACap capSchema
-    Just Keyword.Torus -> through ATorus torusSchema
-    Just Keyword.Geometry -> through (uncurry ATransformed) transformedSchema
-    _ -> pure Nothing
-  case shape of
-    Just s | isNothing (prepare s) -> report (headSpan (blockHead block)) (NotDrawnYet (headText (blockHead block)))
-    _ -> pure ()
-  pure shape
+readShape block = case headKeyword (blockHead block) of
+  Just Keyword.Plane -> through APlane planeSchema
+  Just Keyword.Disk -> through ADisk diskSchema
+  Just Keyword.Annulus -> through AnAnnulus annulusSchema
+  Just Keyword.Sphere -> through ASphere sphereSchema
+  Just Keyword.Cube -> through ACube cubeSchema
+  Just Keyword.Triangle -> through ATriangle triangleSchema
+  Just Keyword.SmoothTriangle -> through ASmoothTriangle smoothTriangleSchema
+  Just Keyword.Tube -> through ATube (roundSchema Keyword.Tube)
+  Just Keyword.Cylinder -> through ACylinder (roundSchema Keyword.Cylinder)
+  Just Keyword.Cone -> through ACone (roundSchema Keyword.Cone)
+  Just Keyword.Lens -> through ALens lensSchema
+  Just Keyword.SphericalCap -> through ACap capSchema
+  Just Keyword.Torus -> through ATorus torusSchema
+  Just Keyword.Geometry -> through (uncurry ATransformed) transformedSchema
+  _ -> pure Nothing
   where
     through :: (b -> Shape) -> Schema a b -> Check (Maybe Shape)
     through wrap schema = fmap wrap <$> readObject readShape schema block

@@ -1,0 +1,84 @@
+-- |
+-- Module      : Dioptre.Geometry.Cap
+-- Description : The spherical cap: what a plane cuts from a sphere
+--
+-- >            n
+-- >         ___^___             C = P - m n,   m = sgn(c) sqrt (c^2 - R^2)
+-- >      .-'   |   `-.
+-- >     /      |      \         |v - C| = |c|,   sgn(c) <v - P, n> >= 0
+-- >    +-------P-------+  R
+-- >     `      |      '
+-- >            C                and for c < 0 the same upside down
+--
+-- The curved part only, without its disk. With p = o - P, and because c^2 - m^2 = R^2, a ray meets the sphere where
+--
+-- > |p + m n + t d|^2 = c^2
+-- > A = <d, d>,  B = 2 (<p, d> + m <d, n>),  C = <p, p> + 2 m <p, n> - R^2
+--
+-- which neither squares c nor subtracts such squares: a nearly flat cap, of a sphere a million times its size, keeps its digits. See
+-- Note [Near the rim].
+module Dioptre.Geometry.Cap
+  ( -- * Intersecting
+    capParameters,
+    capNormal,
+
+    -- * Spheres over disks
+    centreDepth,
+    sphereOver,
+    beyondSphere,
+  )
+where
+
+import Data.Maybe (fromMaybe)
+import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
+
+-- | How far the centre of the sphere is behind its disk: m = sgn(c) sqrt (c^2 - R^2), for |c| >= R. (0 where |c| < R.)
+--
+-- The square root is taken of (|c| - R) (|c| + R), which does not cancel.
+--
+-- >>> centreDepth 3 (-5)
+-- -4.0
+centreDepth :: Double -> Double -> Double
+centreDepth radius c
+  | abs c > radius = signum c * sqrt ((abs c - radius) * (abs c + radius))
+  | otherwise = 0
+
+-- | Where p + t d is on the sphere over a disk of radius R and unit normal n, with the centre m behind it; p is measured from the centre of the disk.
+sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> [Double]
+sphereOver n radius m p d = quadraticRoots (dot d d) (2 * (dot p d + m * dot d n)) (beyondSphere n radius m p)
+{-# INLINE sphereOver #-}
+
+-- | By how much the squared distance of a point from that sphere's centre exceeds the sphere's squared radius: \<p, p> + 2 m \<p, n> - R^2.
+beyondSphere :: Vector -> Double -> Double -> Vector -> Double
+beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
+{-# INLINE beyondSphere #-}
+
+-- | Where a ray's line meets the cap over the disk around P with unit normal n and radius R, with the signed radius of curvature c: the parameters at
+-- which it meets the sphere on the cap's side of the disk's plane, the rim included; at most two, ascending.
+--
+-- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
+capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
+capParameters centre normal radius c r =
+  [t0 + t | abs t0 < 1 / 0, t <- sphereOver n radius (centreDepth radius c) p d, signum c * dot (p + t *^ d) n >= 0]
+  where
+    n = vector normal
+    d = direction r
+    far = origin r - centre
+    t0 = negate (dot far d / dot d d)
+    p = far + t0 *^ d
+{-# INLINE capParameters #-}
+
+-- | The unit normal at a point v of the cap: (v - C) \/ c, made unit. It points out of the sphere where c > 0, and to its centre where c < 0, so that
+-- it is on the side of n.
+capNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
+capNormal centre normal radius c v =
+  fromMaybe normal (unit (signum c *^ ((v - centre) + centreDepth radius c *^ vector normal)))
+{-# INLINE capNormal #-}
+
+-- Note [Near the rim]
+-- ~~~~~~~~~~~~~~~~~~~
+-- The ray is first moved to its point nearest to the centre of the disk: then p is no longer than the line's distance from there, and what C loses to
+-- rounding is 2^-52 of R^2 and of m <p, n>, no longer of the squared distance from which the ray came. Divided by the gradient, 2 |c|, that is less than
+-- 2^-52 R where the line meets the cap. (The sphere of the original's rule has no rim to stay close to; it is left alone so that its pictures stay the same.)

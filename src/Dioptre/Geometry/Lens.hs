@@ -1,0 +1,162 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- |
+-- Module      : Dioptre.Geometry.Lens
+-- Description : The lens: a round rim between two spherical faces
+--
+-- >      biconvex         biconcave         meniscus
+-- >
+-- >     .-+-----+-.       +-------+        +-----+-.
+-- >    (  |     |  )      |)     (|         \     \ `.
+-- >    (  P1-S->P2 )      P1) S (P2         P1 -S->P2 )
+-- >    (  |     |  )      |)     (|         /     / .'
+-- >     `-+-----+-'       +-------+        +-----+-'
+-- >
+-- >     c1, c2 > 0        c1, c2 < 0       c1 < 0 < c2
+--
+-- With z along the axis from P1 and r the distance from it, the lens is the body
+--
+-- > r <= R,  -s1(r) <= z <= L + s2(r),  s_i(r) = sgn(c_i) (sqrt (c_i^2 - r^2) - sqrt (c_i^2 - R^2))
+--
+-- Seen from a face, along the axis q that points to the side on which the sphere bulges, both kinds of face are the same thing: a dome, the
+-- points below its sphere,
+--
+-- >         q                   dome: <p, q> <= -m, or within the sphere;
+-- >      .--^--.                      p measured from P1 or P2, m = sqrt (c^2 - R^2)
+-- >     /   |   \
+-- >    |----P----|  R           a bulging face keeps its dome (q outwards), a hollow one takes its dome away (q inwards).
+-- >    |    |m   |
+-- >    |    C    |
+--
+-- Within the bar r <= R a dome is convex, since R <= |c|. So a line is in it in one interval, and in the lens in what the bar and the kept domes
+-- share, less the insides of those taken away: in as many as three intervals, where both faces are hollow. All
+-- of them are intervals between the same few numbers, so that there is nothing to slip through at a rim.
+module Dioptre.Geometry.Lens
+  ( -- * Intersecting
+    lensParameters,
+    lensNormal,
+    lensContains,
+  )
+where
+
+import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, sphereOver)
+import Dioptre.Geometry.Cylinder (Interval (..), bar, everywhere, nowhere, shared)
+import Dioptre.Geometry.Ray (Ray, direction, origin, position)
+import Dioptre.Geometry.Tube (across, tubeNormal)
+import Dioptre.Math.Tolerance (rimOverlap, roundThickness, surfaceThickness)
+import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector, (*^))
+import GHC.Exts (build)
+
+-- | Where a ray's line enters and leaves the lens whose axis starts at P1 in the unit direction S and has the length L, whose rim has the radius R, and whose
+-- faces have the signed radii of curvature c1 (at P1) and c2: every entry and exit, ascending; up to three of each.
+--
+-- Laws: entries and exits take turns; a point strictly between an entry and its exit is inside, and a point outside them all is not.
+lensParameters :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> [Double]
+lensParameters p1 s l radius c1 c2 r = build $ \cons nil ->
+  foldr (\(Interval enter leave) rest -> cons enter (cons leave rest)) nil (intervals (parts p1 s l radius c1 c2 r))
+{-# INLINE lensParameters #-}
+
+-- | The parameter t0 of the line's point nearest to the middle of the axis and, counted from there, where the line is in the bar and in the domes
+-- of the two faces. A face bulges where the flag is true.
+data Parts = Parts !Double !Interval !Bool !Interval !Bool !Interval
+
+parts :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Parts
+parts p1 s l radius c1 c2 r = Parts t0 inBar (c1 > 0) (faceAt c1 (opposite s) 1) (c2 > 0) (faceAt c2 s (-1))
+  where
+    d = direction r
+    halfAxis = (l / 2) *^ vector s
+    -- Move the ray next to the middle of the lens.
+    far = (origin r - p1) - halfAxis
+    !t0 = negate (dot far d / dot d d)
+    w = far + t0 *^ d
+    inBar = bar radius (across s w) (across s d)
+    faceAt c outward side = dome (signum c *^ vector outward) radius (abs (centreDepth radius c)) (w + (side :: Double) *^ halfAxis) d inBar
+{-# NOINLINE parts #-}
+
+-- | Where a line that is in the bar in a given interval is in the dome as well; an end of the interval that is in the dome, and is thus
+-- no end that the dome makes, becomes infinite. See Note [Domes].
+dome :: Vector -> Double -> Double -> Vector -> Vector -> Interval -> Interval
+dome q radius m p d (Interval enter leave) = case sphereOver q radius m p d of
+  [x, y] -> Interval (if below enter then negate (1 / 0) else x) (if below leave then 1 / 0 else y)
+  _ -> Interval low high
+  where
+    below t = low <= t && t <= high
+    !(Interval low high) = under (negate m) (dot p q) (dot d q)
+
+-- | Where the height h0 + t dh is at most that high.
+under :: Double -> Double -> Double -> Interval
+under high h0 dh
+  | dh > 0 = Interval (negate (1 / 0)) ((high - h0) / dh)
+  | dh < 0 = Interval ((high - h0) / dh) (1 / 0)
+  | h0 <= high = everywhere
+  | otherwise = nowhere
+
+-- | The intervals in which a line is in the lens, ascending, in the parameters of the ray.
+intervals :: Parts -> [Interval]
+intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
+  [ Interval (t0 + enter) (t0 + leave)
+    | Interval enter leave <- foldr lessInside (touching t0 kept) hollows,
+      abs (t0 + enter) < 1 / 0,
+      abs (t0 + leave) < 1 / 0
+  ]
+  where
+    kept = shared inBar (shared (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
+    hollows = [dome1 | not bulges1] ++ [dome2 | not bulges2]
+
+-- | An interval as a list of none or one. One whose ends passed each other by no more than the 'rimOverlap' of the numbers involved touches a rim, and
+-- counts, as the one point at which it enters.
+touching :: Double -> Interval -> [Interval]
+touching t0 (Interval enter leave)
+  | enter <= leave = [Interval enter leave]
+  | enter - leave <= rimOverlap * (abs t0 + abs enter + abs leave) && enter < 1 / 0 && leave > -1 / 0 = [Interval enter enter]
+  | otherwise = []
+
+-- | What is left of intervals when the inside of one is taken away: its ends stay.
+lessInside :: Interval -> [Interval] -> [Interval]
+lessInside (Interval low high) = concatMap left
+  where
+    left (Interval enter leave)
+      | low < high && low < leave && enter < high = [Interval enter low | enter <= low] ++ [Interval high leave | high <= leave]
+      | otherwise = [Interval enter leave]
+
+-- | The outward unit normal where a ray meets the lens, at a parameter that 'lensParameters' gave: the tube's on the side, and on a face away
+-- from the sphere's centre if it bulges, towards it if it is hollow. On a rim it is the tube's.
+lensNormal :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> Unit
+lensNormal p1 s l radius c1 c2 r t
+  | isEndOf inBar = tubeNormal p1 s v
+  | isEndOf dome1 = capNormal p1 (opposite s) radius c1 v
+  | otherwise = capNormal (p1 + l *^ vector s) s radius c2 v
+  where
+    Parts t0 inBar _ dome1 _ _ = parts p1 s l radius c1 c2 r
+    isEndOf (Interval enter leave) = t == t0 + enter || t == t0 + leave
+    v = position r t
+
+-- | Whether a point is inside the lens: nearer to the axis than (1 - 'roundThickness') R and, at each face, on the body's side of the sphere by more than
+-- 'surfaceThickness' of its radius. A point on the surface is not.
+lensContains :: Point -> Unit -> Double -> Double -> Double -> Double -> Point -> Bool
+lensContains p1 s l radius c1 c2 v =
+  modulus (across s w) < (1 - roundThickness) * radius && behind c1 (negate (vector s)) w && behind c2 (vector s) (w - l *^ vector s)
+  where
+    w = v - p1
+    -- With k the thickness, |v - C| < (1 - k) |c| where |v - C|^2 - c^2 < -k (2 - k) c^2.
+    behind c outward p
+      | c > 0 = deep <= 0 || beyond < negate (k * (2 - k) * (c * c))
+      | otherwise = deep <= 0 && beyond > k * (2 + k) * (c * c)
+      where
+        m = centreDepth radius c
+        beyond = beyondSphere outward radius m p
+        deep = dot p outward + m
+        k = surfaceThickness
+
+-- Note [Domes]
+-- ~~~~~~~~~~~~
+-- On a line, the dome is a half-line, <p + t d, q> <= -m, together with the interval between the roots of the sphere. In the bar it is convex. So where
+-- both ends of the bar's interval are on the half-line, all of it is in the dome. Where only one is, the plane <p, q> = -m is crossed within the
+-- bar, at a distance from the centre C of at most R <= |c|, which is in the sphere: the dome lasts from that end to the far root. Where neither is, it
+-- is the interval between the roots. If there are no roots, the line is in no sphere, and is on the half-line or not.
+--
+-- What the roots are on the other half of the sphere, below C, is therefore never asked: they may lie in the bar, as at the narrow end of a ball
+-- between two flat faces, and are no part of the surface.
+--
+-- The side is known to be hit where the bar's interval ends, and a face where its dome's interval does: an end that is not the dome's own is
+-- infinite. 'lensNormal' finds the part that has the parameter by comparing for equality, and the numbers are the same.
