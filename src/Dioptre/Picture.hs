@@ -17,6 +17,7 @@ module Dioptre.Picture
   )
 where
 
+import Control.Applicative ((<|>))
 import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 
@@ -57,7 +58,7 @@ difference a b
     size p = (pictureWidth p, pictureHeight p)
     pixel (n, most, first) i
       | apart == 0 = (n, most, first)
-      | otherwise = n `seq` most `seq` (n + 1, max most apart, maybe (Just i) Just first)
+      | otherwise = n `seq` most `seq` (n + 1, max most apart, first <|> Just i)
       where
         apart = maximum [abs (channel a - channel b) | c <- [0 .. 3], let channel p = fromIntegral (pictureBytes p Storable.! (4 * i + c)) :: Int]
     summary (n, most, first) = case first of

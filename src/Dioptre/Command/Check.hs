@@ -15,6 +15,7 @@ import Data.Aeson (encode, object, (.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (toLower)
 import Data.Either (lefts, rights)
+import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole)
@@ -44,7 +45,7 @@ check journal format paths = do
   case format of
     AsText -> forM_ (rights results) $ \(source, diagnostics) -> do
       forM_ diagnostics (toConsole stdout . pretty l source)
-      Text.putStrLn (Text.pack (sourceName source) <> ": " <> maybe (inLanguage l "no faults" "aucune faute") id (summary l diagnostics))
+      Text.putStrLn (Text.pack (sourceName source) <> ": " <> fromMaybe (inLanguage l "no faults" "aucune faute") (summary l diagnostics))
     AsJson ->
       Lazy.putStrLn . encode $
         object ["diagnostics" .= [toJson l (sourceName source) d | (source, diagnostics) <- rights results, d <- diagnostics]]

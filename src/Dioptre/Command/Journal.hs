@@ -20,7 +20,7 @@ module Dioptre.Command.Journal
 where
 
 import Control.Monad (when)
-import Data.Foldable (toList)
+import Data.Foldable (fold, toList)
 import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
 import Data.Sequence (Seq, (|>))
 import qualified Data.Sequence as Seq
@@ -68,7 +68,7 @@ sayFault :: Journal -> Text -> IO ()
 sayFault journal = say journal {speaks = True} . paragraphs
 
 paragraphs :: Text -> Doc Report.Style
-paragraphs = foldMap id . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"
+paragraphs = fold . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"
 
 -- | Everything that was said, line by line.
 written :: Journal -> IO Text

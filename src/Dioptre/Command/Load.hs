@@ -1,3 +1,6 @@
+{-# LANGUAGE LambdaCase #-}
+{-# LANGUAGE TupleSections #-}
+
 -- |
 -- Module      : Dioptre.Command.Load
 -- Description : From a path to a scene or a picture
@@ -11,7 +14,7 @@ module Dioptre.Command.Load
 where
 
 import Control.Exception (ErrorCall, evaluate, try)
-import Control.Monad (forM)
+import Control.Monad (forM, (<=<))
 import Data.Bifunctor (first)
 import Data.Char (toLower)
 import Data.Containers.ListUtils (nubOrd)
@@ -81,12 +84,12 @@ loadPictures l folder wanted = do
 
 loadTexture :: Language -> FilePath -> Text -> IO (Either FileTrouble Picture)
 loadTexture l folder name =
-  search "." folder name >>= \found -> case found of
+  search "." folder name >>= \case
     Left (NoName _) -> pure (Left (NoSuchFile []))
     Left (NotFound _ places) -> pure (Left (NoSuchFile (map folderOf (toList places))))
     Left (SeveralFound _ paths) -> pure (Left (SeveralFiles (toList paths)))
     Right path ->
-      readWhole path >>= \bytes -> case bytes of
+      readWhole path >>= \case
         Left fault -> pure (Left (Unreadable (fileFault l fault)))
         -- The decoder is not ours: what it throws on a broken file is its complaint.
         Right b -> either (Left . Unreadable . Text.pack . takeWhile (/= '\n') . thrown) (first Unreadable) <$> try (evaluate (decodeTexture path b))
@@ -99,14 +102,14 @@ loadTexture l folder name =
 
 -- | The picture in the file at a path, or why there is none, in words.
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)
-loadPicture l path = (>>= first (undecodable l path) . decode) . first (fileFault l) <$> readWhole path
+loadPicture l path = (first (undecodable l path) . decode <=< first (fileFault l)) <$> readWhole path
 
 -- | The picture at a path: for a scene (a path that ends in @.txt@) the one that it draws, and its scene; otherwise the one in the file.
 drawnOrLoaded :: Language -> FilePath -> IO (Either Text (Picture, Maybe Loaded))
 drawnOrLoaded l path
-  | map toLower (takeExtension path) /= ".txt" = fmap (\p -> (p, Nothing)) <$> loadPicture l path
+  | map toLower (takeExtension path) /= ".txt" = fmap (,Nothing) <$> loadPicture l path
   | otherwise =
-    loadScene l path >>= \loaded -> case loaded of
+    loadScene l path >>= \case
       Left fault -> pure (Left fault)
       Right scene -> do
         workers <- getNumCapabilities

@@ -18,6 +18,7 @@ module Dioptre.Command.Render
 where
 
 import Control.Monad (forM_, when)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
@@ -125,7 +126,7 @@ adjusted options loaded = do
     Nothing -> Right (scene', plan assets scene')
     Just (x, y, w, h) -> case window port x y w h of
       Just part -> Right (scene', planWithin part assets scene')
-      Nothing -> Left (\l -> outside l port)
+      Nothing -> Left (`outside` port)
   where
     outside l port =
       inLanguage l "--crop does not lie in the picture, which has " "--crop sort de l'image, qui a "
@@ -133,7 +134,7 @@ adjusted options loaded = do
         <> " pixels"
 
 resized :: Maybe Int -> Maybe Int -> Viewport -> Either (Language -> Text) Viewport
-resized w h port = either (Left . tooMany) Right (viewport (maybe (viewportWidth port) id w) (maybe (viewportHeight port) id h) (viewportImage port))
+resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportWidth port) w) (fromMaybe (viewportHeight port) h) (viewportImage port))
   where
     tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
 

@@ -165,7 +165,7 @@ compareAll journal configuration = do
         Right source -> do
           let (pairs, diagnostics) = checkComparisons (parse source)
           sayDiagnostics journal source diagnostics
-          codes <- forM (zip [1 :: Int ..] pairs) $ \(i, pair) -> comparePair journal path i pair
+          codes <- forM (zip [1 :: Int ..] pairs) $ uncurry (comparePair journal path)
           code <- saved journal (Text.unpack (configurationWrite configuration)) (writeComparisons pairs)
           pure (maximum (code : codes))
   where

@@ -76,10 +76,12 @@ parts p1 s l radius c1 c2 r = Parts t0 inBar (c1 > 0) (faceAt c1 (opposite s) 1)
 -- | Where a line that is in the bar in a given interval is in the dome as well; an end of the interval that is in the dome, and is thus
 -- no end that the dome makes, becomes infinite. See Note [Domes].
 dome :: Vector -> Double -> Double -> Vector -> Vector -> Interval -> Interval
-dome q radius m p d (Interval enter leave) = case sphereOver q radius m p d of
-  [x, y] -> Interval (if below enter then negate (1 / 0) else x) (if below leave then 1 / 0 else y)
+dome q radius m p d (Interval enter leave) = case sphereOver q radius m (p + t1 *^ d) d of
+  [x, y] -> Interval (if below enter then negate (1 / 0) else t1 + x) (if below leave then 1 / 0 else t1 + y)
   _ -> Interval low high
   where
+    -- Move on to the point nearest to this face, for a lens much longer than wide.
+    !t1 = negate (dot p d / dot d d)
     below t = low <= t && t <= high
     !(Interval low high) = under (negate m) (dot p q) (dot d q)
 
@@ -104,12 +106,15 @@ intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
     hollows = [dome1 | not bulges1] ++ [dome2 | not bulges2]
 
 -- | An interval as a list of none or one. One whose ends passed each other by no more than the 'rimOverlap' of the numbers involved touches a rim, and
--- counts, as the one point at which it enters.
+-- counts, as one point.
 touching :: Double -> Interval -> [Interval]
 touching t0 (Interval enter leave)
   | enter <= leave = [Interval enter leave]
-  | enter - leave <= rimOverlap * (abs t0 + abs enter + abs leave) && enter < 1 / 0 && leave > -1 / 0 = [Interval enter enter]
+  | enter - leave <= rimOverlap * (abs t0 + abs enter + abs leave) && enter < 1 / 0 && leave > -1 / 0 = [Interval rim rim]
   | otherwise = []
+  where
+    -- The same one for the ray the other way.
+    rim = if abs enter <= abs leave then enter else leave
 
 -- | What is left of intervals when the inside of one is taken away: its ends stay.
 lessInside :: Interval -> [Interval] -> [Interval]

@@ -25,6 +25,7 @@ module Dioptre.Geometry.Sphere
   )
 where
 
+import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Tolerance (surfaceThickness)
@@ -56,7 +57,7 @@ sphereParameters c radiusSquared r = quadraticRoots (dot d d) (2 * dot w d) (dot
 -- | The outward unit normal at a point of the sphere: (r - C) \/ |r - C|. (At the centre, which is no point of the
 -- sphere, it is the z axis.)
 sphereNormal :: Point -> Point -> Unit
-sphereNormal c p = maybe alongZ id (unit (p - c))
+sphereNormal c p = fromMaybe alongZ (unit (p - c))
 {-# INLINE sphereNormal #-}
 
 -- | Whether a point is inside the sphere with that squared radius: nearer to the centre than the radius less one part in ten thousand million

@@ -36,6 +36,7 @@ module Dioptre.Geometry.Triangle
   )
 where
 
+import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Plane (planeParameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Tolerance (collinearSine)
@@ -143,7 +144,7 @@ barycentric p0 p1 p2 p = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) /
 -- | (1 - t1 - t2) N0 + t1 N1 + t2 N2, made unit; the flat normal where that vanishes.
 interpolatedNormal :: Unit -> Corners Unit -> (Double, Double) -> Unit
 interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
-  maybe flat id (unit ((1 - t1 - t2) *^ vector n0 + t1 *^ vector n1 + t2 *^ vector n2))
+  fromMaybe flat (unit ((1 - t1 - t2) *^ vector n0 + t1 *^ vector n1 + t2 *^ vector n2))
 
 -- Note [Watertight]
 -- ~~~~~~~~~~~~~~~~~

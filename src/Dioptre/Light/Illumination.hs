@@ -26,7 +26,7 @@ import Dioptre.Math.Vector (Unit, Vector, dot, modulus, vector, (*^), (^/))
 
 -- | Light from everywhere: light . surface.
 ambient :: Colour -> Colour -> Colour
-ambient light surface = filtered light surface
+ambient = filtered
 {-# INLINE ambient #-}
 
 -- | Light that the surface scatters: light . surface . \<N, -d>; black where the light comes from behind.

@@ -1,5 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE TupleSections #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -44,7 +45,7 @@ world :: Scene -> World
 world scene = World (Vector.map fst things) (Vector.map snd things)
   where
     things = Vector.fromList (mapMaybe thing (scenePrimitives scene))
-    thing p = (\shape -> (shape, material (primitiveMaterial p))) <$> prepare (primitiveShape p)
+    thing p = (,material (primitiveMaterial p)) <$> prepare (primitiveShape p)
     material name = Map.findWithDefault (substitute name) name materials
     -- Of materials of one name the first counts.
     materials = Map.fromListWith (\_ first -> first) [(materialName m, m) | m <- sceneMaterials scene]

@@ -14,7 +14,7 @@ module Dioptre.Scene.Check
   )
 where
 
-import Control.Monad (foldM, when)
+import Control.Monad (foldM, unless, when)
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.State.Strict (evalStateT, get, modify')
 import Data.Foldable (for_, toList, traverse_)
@@ -101,8 +101,8 @@ pictureNames tree =
     | Object block <- tree,
       Just (use, words') <- [headKeyword (blockHead block) >>= (`lookup` users)],
       Statement (Property word value) <- blockNodes block,
-      Just True <- [(`elem` words') <$> headKeyword word],
-      valueText value `notElem` ["", "none"]
+      valueText value `notElem` ["", "none"],
+      Just True <- [(`elem` words') <$> headKeyword word]
   ]
   where
     users =
@@ -158,7 +158,7 @@ checkMaterialNames names ps = concat <$> evalStateT (traverse step ps) names
       known <- get
       let name = primitiveMaterial p
           given = isJust (placeOfValue Keyword.MaterialName block)
-      when (not given) (lift (report (headSpan (blockHead block)) NoMaterialName))
+      unless given (lift (report (headSpan (blockHead block)) NoMaterialName))
       if name `Set.member` known
         then pure []
         else do

@@ -131,7 +131,7 @@ directionForm = Form ADirection reads' showVector
 scaleForm :: Form Vector
 scaleForm = Form AVectorWithoutZero reads' showVector
   where
-    reads' value = vector3 value >>= \v -> if any (== 0) v then Left (valueSpan value, ZeroComponent) else Right v
+    reads' value = vector3 value >>= \v -> if 0 `elem` v then Left (valueSpan value, ZeroComponent) else Right v
 
 vector3 :: Value -> Either (Span, Refusal) Vector
 vector3 value = case tokens value of
@@ -185,7 +185,7 @@ commaInNumber t = or (zipWith both (Text.splitOn "," t) (drop 1 (Text.splitOn ",
 
 -- | One of some words, in any case, or its number counted from 0; written as the word.
 choice :: Eq v => [(Text, v)] -> Form v
-choice options = scalar (AChoice (map fst options)) reads' (\v -> maybe "" fst (lookupValue v))
+choice options = scalar (AChoice (map fst options)) reads' (maybe "" fst . lookupValue)
   where
     lookupValue v = case filter ((== v) . snd) options of
       found : _ -> Just found

@@ -47,6 +47,7 @@ where
 import Control.Applicative ((<|>))
 import Control.Monad (foldM)
 import Control.Monad.Trans.Writer.CPS (Writer, runWriter, tell)
+import Data.Either (fromRight)
 import Data.Foldable (for_, toList)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
@@ -171,7 +172,7 @@ readNode readShape schema object progress node = case node of
           then progress <$ report (headSpan (blockHead inner)) (SecondShape object)
           else do
             shape <- readShape inner
-            pure progress {draft = either (const (draft progress)) id (slotPut slot shape (draft progress)), shaped = True}
+            pure progress {draft = fromRight (draft progress) (slotPut slot shape (draft progress)), shaped = True}
     _ -> progress <$ passOver (Just object) (admissible schema) inner
   OpenComment place -> progress <$ report place UnclosedComment
   LooseEnd word -> progress <$ report (headSpan word) (StrayEnd (headText word))

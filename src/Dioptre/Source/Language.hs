@@ -12,7 +12,8 @@ module Dioptre.Source.Language
   )
 where
 
-import Data.Maybe (listToMaybe, mapMaybe)
+import Data.List (find)
+import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 
@@ -30,7 +31,7 @@ languageNames = [("en", English), ("fr", French), ("english", English), ("french
 -- >>> fromLocale (`lookup` [("LANG", "fr_CA.UTF-8")])
 -- French
 fromLocale :: (String -> Maybe String) -> Language
-fromLocale look = case listToMaybe (filter (not . null) (mapMaybe look ["LC_ALL", "LC_MESSAGES", "LANG"])) of
+fromLocale look = case find (not . null) (mapMaybe look ["LC_ALL", "LC_MESSAGES", "LANG"]) of
   Just locale | isFrench (Text.toLower (Text.pack locale)) -> French
   _ -> English
   where

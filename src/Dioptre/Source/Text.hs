@@ -20,6 +20,8 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.Either (fromRight)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -43,11 +45,11 @@ data Source = Source
 -- >>> sourceText (decode "scene.txt" "lumi\xE8re")
 -- "lumi\232re"
 decode :: FilePath -> ByteString -> Source
-decode name bytes = fromText name (either (const latin1) id utf8)
+decode name bytes = fromText name (fromRight latin1 utf8)
   where
     utf8 = Text.decodeUtf8' (dropMark bytes)
     latin1 = Text.decodeLatin1 (dropMark bytes)
-    dropMark b = maybe b id (Bytes.stripPrefix "\xEF\xBB\xBF" b)
+    dropMark b = fromMaybe b (Bytes.stripPrefix "\xEF\xBB\xBF" b)
 
 -- | A source of text that is at hand already.
 fromText :: FilePath -> Text -> Source
@@ -57,4 +59,4 @@ fromText name raw = Source name text (Vector.fromList (Text.split (== '\n') text
 
 -- | The line of that number, counted from 1; empty where there is none.
 lineAt :: Source -> Int -> Text
-lineAt source n = maybe Text.empty id (sourceLines source !? (n - 1))
+lineAt source n = fromMaybe Text.empty (sourceLines source !? (n - 1))

@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -26,6 +25,7 @@ module Dioptre.Syntax.Grammar
 where
 
 import Control.Monad (void)
+import Data.Either (fromRight)
 import Data.Maybe (catMaybes)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -42,7 +42,7 @@ type Parser = Parsec Void Text
 
 -- | The tree of a text. Total; linear in its length.
 parse :: Source -> Tree
-parse source = either (const []) id (snd (runParser' file start))
+parse source = fromRight [] (snd (runParser' file start))
   where
     -- A tab is one column wide, like every other character.
     start =
