@@ -112,7 +112,7 @@ union a b = spanned (lower <$> boxLow a <*> boxLow b) (upper <$> boxHigh a <*> b
 
 -- | The least box that holds a point and others.
 ofPoints :: Point -> [Point] -> Box
-ofPoints p = foldl' (\b q -> union b (spanned q q)) (spanned p p)
+ofPoints p = foldl' (\b q -> b `union` spanned q q) (spanned p p)
 
 -- | A box from corners that are known to be in order.
 spanned :: Point -> Point -> Box
@@ -170,13 +170,13 @@ ofDisk p n radius = enlarged (around p (reach n radius))
 
 -- | Of the tube from P1 to P2 with radius R, or the cylinder: its two disks'.
 ofTube :: Point -> Point -> Double -> Box
-ofTube p1 p2 radius = enlarged (union (around p1 extent) (around p2 extent))
+ofTube p1 p2 radius = enlarged (around p1 extent `union` around p2 extent)
   where
     extent = maybe (pure radius) (`reach` radius) (unit (p2 - p1))
 
 -- | Of the cone with a base of radius R around P1 and the apex P2.
 ofCone :: Point -> Point -> Double -> Box
-ofCone p1 p2 radius = enlarged (union (around p1 extent) (spanned p2 p2))
+ofCone p1 p2 radius = enlarged (around p1 extent `union` spanned p2 p2)
   where
     extent = maybe (pure radius) (`reach` radius) (unit (p2 - p1))
 
@@ -186,7 +186,7 @@ ofTorus p n major minor = enlarged (around p ((+ minor) <$> reach n major))
 
 -- | Of the cap over the disk around P with normal n and radius R, with signed radius of curvature c: the disk's, and that of the disk moved to the cap's top.
 ofCap :: Point -> Unit -> Double -> Double -> Box
-ofCap p n radius curvature = enlarged (union (around p extent) (around (p + faceDepth radius curvature *^ vector n) extent))
+ofCap p n radius curvature = enlarged (around p extent `union` around (p + faceDepth radius curvature *^ vector n) extent)
   where
     extent = reach n radius
 
@@ -212,12 +212,12 @@ approach r = Approach (packed (origin r)) (packed (recip <$> direction r))
 
 -- | Where a ray enters a box, or 0 if it starts inside; infinity if it misses the box, or enters it beyond the given parameter.
 --
--- Law: if o + t d is in the box for some t from 0 to the given parameter, exactly, then the answer is at most t. It is 2^-50 less than the exact parameter, at most.
+-- Law: if o + t d is in the box for some t from 0 to the given parameter, exactly, then the answer is at most t. It is at most 2^-49 of itself less than the exact parameter.
 --
 -- Cost: six products, and comparisons.
 entry :: Approach -> Box -> Double -> Double
 entry (Approach o i) b !far
-  | enter <= leave * 0x1.0000000000004p0 = enter * 0x0.fffffffffffffp0
+  | enter <= leave * 0x1.0000000000004p0 = enter * 0x0.ffffffffffffcp0
   | otherwise = 1 / 0
   where
     !(V3 ox oy oz) = unpacked o

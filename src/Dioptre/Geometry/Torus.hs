@@ -47,6 +47,7 @@ module Dioptre.Geometry.Torus
 where
 
 import Data.Bits ((.&.))
+import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Vector (Point, Unit, dot, modulus, opposite, quadrance, unit, vector, (*^), (^/))
@@ -102,7 +103,7 @@ meetings !major !minor !c !n !m =
 -- one, P + R (v - h n) \/ rho, except on the inner sheet of a spindle, where it is the one across the axis. At a point of the axis there is no one such point, and
 -- at C no direction; there it is n, on the side of n, or its opposite on the other side.
 torusNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
-torusNormal p n major minor v = maybe upright id $ do
+torusNormal p n major minor v = fromMaybe upright $ do
   outwards <- unit (w - h *^ vector n)
   unit (w - centre *^ vector outwards)
   where

@@ -57,6 +57,7 @@ module Dioptre.Math.Transform
   )
 where
 
+import Data.Maybe (fromMaybe)
 import Dioptre.Math.Vector (Packed, Point, Unit, V3 (..), Vector, dot, packed, unit, unpacked, vector, (*^))
 import Linear.V4 (V4 (..))
 
@@ -73,7 +74,7 @@ data Transform = Transform
 -- | From scale, rotation and translation; 'Nothing' if a factor is zero.
 transform :: Vector -> Vector -> Vector -> Maybe Transform
 transform s r t
-  | any (== 0) s = Nothing
+  | 0 `elem` s = Nothing
   | otherwise = Just (Transform s r t)
 
 -- | The transformation that changes nothing.
@@ -191,7 +192,7 @@ rows a b c v = V3 (dot (unpacked a) v) (dot (unpacked b) v) (dot (unpacked c) v)
 -- | The transpose of a matrix, given by its rows, times a unit vector, made unit. The matrix can be undone, so that the product is not zero,
 -- unless it underflows: then nothing is turned.
 turned :: Packed -> Packed -> Packed -> Unit -> Unit
-turned a b c n = maybe n id (unit (x *^ unpacked a + y *^ unpacked b + z *^ unpacked c))
+turned a b c n = fromMaybe n (unit (x *^ unpacked a + y *^ unpacked b + z *^ unpacked c))
   where
     V3 x y z = vector n
 {-# INLINE turned #-}

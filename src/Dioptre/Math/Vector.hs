@@ -109,15 +109,20 @@ newtype Unit = Unit Vector
 unit :: Vector -> Maybe Unit
 unit v
   | q > 1e-280 && q < 1e280 = Just (Unit (v ^/ sqrt q))
-  | v == 0 = Nothing
-  | otherwise = rescaled
+  | otherwise = unitScaled v
   where
     q = quadrance v
-    rescaled =
-      let largest = maximum (fmap abs v)
-          scaled = fmap (scaleFloat (negate (exponent largest))) v
-       in if isInfinite largest || isNaN largest then Nothing else Just (Unit (scaled ^/ modulus scaled))
 {-# INLINE unit #-}
+
+-- | 'unit' where the quadrance cannot be trusted; out of the way of the common case.
+unitScaled :: Vector -> Maybe Unit
+unitScaled v
+  | v == 0 || isInfinite largest || isNaN largest = Nothing
+  | otherwise = Just (Unit (scaled ^/ modulus scaled))
+  where
+    largest = maximum (fmap abs v)
+    scaled = fmap (scaleFloat (negate (exponent largest))) v
+{-# NOINLINE unitScaled #-}
 
 -- | The unit vector as a vector.
 vector :: Unit -> Vector

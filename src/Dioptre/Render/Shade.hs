@@ -67,13 +67,13 @@ unlit s far r = case closest (stageWorld s) r far of
 
 -- | With light: what the ray sees, up to the stage's depth, no farther than that from the start of each ray.
 look :: Stage -> Terms -> Double -> Ray -> Seen
-look s terms far r
+look s terms far !r
   | stageDepth s == 1 = lookOnce s terms far r
   | otherwise = follow s terms far (Pending r 1 1 1 1 (mediumAt s Nothing (origin r)) `Then` Done)
 
 -- | One ray, no bounce.
 lookOnce :: Stage -> Terms -> Double -> Ray -> Seen
-lookOnce s terms far r = case closest (stageWorld s) r far of
+lookOnce s terms far !r = case closest (stageWorld s) r far of
   Nowhere -> Seen black 1 False
   At t i -> case lighting s terms r t i of
     Lit c n -> Seen c (n + 1) False
@@ -130,7 +130,7 @@ data Lit = Lit !Colour {-# UNPACK #-} !Int
 
 -- | The light that the shape of number i sends along a ray that meets it at parameter t: the sum over all lights, in their order.
 lighting :: Stage -> Terms -> Ray -> Double -> Int -> Lit
-lighting s terms r t i = case shapeAt (stageWorld s) i of
+lighting s terms !r !t i = case shapeAt (stageWorld s) i of
   Nothing -> Lit black 0
   Just shape ->
     let !colours = coloursAt (surfaceOf s i) shape r t
@@ -145,7 +145,7 @@ lighting s terms r t i = case shapeAt (stageWorld s) i of
 
 -- | The light of one source at a point with normal n, seen in direction v.
 illuminated :: Stage -> Terms -> Colours -> Point -> Unit -> Vector -> Source -> Lit
-illuminated s terms colours p n v source = case source of
+illuminated s terms !colours !p !n !v source = case source of
   FromEverywhere light
     | termAmbient terms -> Lit (ambient light (ambientOf colours)) 0
     | otherwise -> Lit black 0
@@ -211,7 +211,7 @@ data Passage
 --
 -- Law: it does not depend on the order of the shapes, up to the rounding of the product.
 passage :: Stage -> Ray -> Double -> Passage
-passage s r distance' = go 0 False 1 1 1
+passage s !r !distance' = go 0 False 1 1 1
   where
     !shapes = worldShapes (stageWorld s)
     !size = Vector.length shapes

@@ -68,7 +68,7 @@ data Closest
 --
 -- Law: as sorting all the hits of all shapes and taking the first. Cost: one test for each shape.
 closest :: World -> Ray -> Double -> Closest
-closest w r = search 0 (-1)
+closest w !r = search 0 (-1)
   where
     !shapes = worldShapes w
     !size = Vector.length shapes
