@@ -50,6 +50,7 @@ import Data.Bits ((.&.))
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Quartic (quarticRoots)
+import Dioptre.Math.Tolerance (roundThickness)
 import Dioptre.Math.Vector (Point, Unit, dot, modulus, opposite, quadrance, unit, vector, (*^), (^/))
 import GHC.Exts (build)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
@@ -73,15 +74,12 @@ torusParameters p n major minor r = build $ \cons nil ->
       u = direction r ^/ m
       w = (origin r - p) ^/ l
       !outer = (major + minor) / l
-      -- Twice, since the first time leaves the rounding of a large w.
       !t0 = negate (dot w u)
-      q0 = w + t0 *^ u
-      !t1 = negate (dot q0 u)
-      q = q0 + t1 *^ u
+      q = w + t0 *^ u
       !c = quadrance q
       !scale = l / m
    in if c <= 0x1.0000000001p0 * (outer * outer)
-        then foldr (\s -> cons ((t0 + (t1 + s)) * scale)) nil (meetings (major / l) (minor / l) c (dot (vector n) q) (dot (vector n) u))
+        then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c (dot (vector n) q) (dot (vector n) u))
         else nil
 {-# INLINE torusParameters #-}
 
@@ -112,14 +110,14 @@ torusNormal p n major minor v = fromMaybe upright $ do
     upright = if h < 0 then opposite n else n
     centre = if quadrance w + (major - minor) * (major + minor) < 0 then negate major else major
 
--- | Whether a point is inside: nearer to the circle than (1 - 1e-7) r.
+-- | Whether a point is inside: nearer to the circle than (1 - 1e-7) r ('roundThickness').
 --
 -- >>> torusContains 0 alongZ 2 1 (V3 2 0 0.5)
 -- True
 -- >>> torusContains 0 alongZ 2 1 (V3 0 0 0)
 -- False
 torusContains :: Point -> Unit -> Double -> Double -> Point -> Bool
-torusContains p n major minor v = sqrt (across * across + h * h) < (1 - 1e-7) * minor
+torusContains p n major minor v = sqrt (across * across + h * h) < (1 - roundThickness) * minor
   where
     w = v - p
     h = dot (vector n) w
@@ -133,8 +131,8 @@ torusContains p n major minor v = sqrt (across * across + h * h) < (1 - 1e-7) * 
 -- wherever the ray comes from: a line that passes through the sphere around the torus has |q| <= R + r. Only q itself carries the rounding of the origin, 2^-53 D in each coordinate, as
 -- does every point that is computed as o + t d. The cubic term vanishes, too.
 --
--- Orthogonality is not exact: what rounding leaves of <q0, u> is about 2^-53 D; the second step leaves 2^-53. The term 4 <q, u> s^3 that is left out is thus as small
--- as the rounding of the others. So is |u|^2 - 1.
+-- Orthogonality is not exact: <q, u> is what rounding leaves, 2^-53 D or less. To leave out the terms with <q, u> is to shift the point along the ray by that much, no
+-- more than the rounding of q itself. So is |u|^2 - 1.
 --
 -- Near a root the polynomial is F = ((rho - R)^2 + h^2 - r^2) ((rho + R)^2 + h^2 - r^2). Its second factor is 4 R^2 or so, for thin tubes, and the gradient of its first factor is 2 r: an
 -- error of 2^-53 times a few in F is an error of that over 8 R^2 r in the distance. A tube a thousand times thinner than its circle is seen to 10^-10 of its own radius.

@@ -491,13 +491,13 @@ two roots that are 10^-8 apart, or as none. That is what makes a ray tangent to 
 Roots near zero are no exception, since everything is relative to their size: p(0) = 0 is decided exactly, beforehand.
 
 Where three roots or four nearly coincide, the first bound (2^-75 or 2^-100) may be below what the compensated scheme can tell. Then, if the
-value cannot be told from zero, whole numbers decide ('Unsure'). In pictures this is rarer than one ray in a million.
+value cannot be told from zero, whole numbers decide ('Unsure'). In pictures this is very rare.
 -}
 
 {- Note [Polishing]
    ~~~~~~~~~~~~~~~~
 'root' keeps an interval at whose ends p has opposite signs, both certain, and a place x within. Newton's step x - p(x) / p'(x) is taken where it stays in the interval; else the
-interval is halved. After 20 steps every second one halves the number of doubles that the interval holds, of which there are fewer than 2^63: so it ends. Four
+interval is halved. After 20 steps every second one halves the number of doubles that the interval holds, of which there are fewer than 2^63: so it ends. A few
 steps are usual, from a guess that solves the polynomial as it looks from the critical points beside: a parabola outside of them, s^2 (3 - 2 s)
 between two.
 

@@ -67,6 +67,7 @@ data Transform = Transform
     transformScale :: Vector,
     -- | Degrees about x, then y, then z, right-handed.
     transformRotation :: Vector,
+    -- | What is added last.
     transformTranslation :: Vector
   }
   deriving stock (Eq, Show)

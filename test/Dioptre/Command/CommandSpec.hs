@@ -1,0 +1,236 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The commands as their users meet them: what is printed where, what is written, and the exit code.
+module Dioptre.Command.CommandSpec
+  ( spec,
+  )
+where
+
+import Control.Exception (bracket, finally)
+import Control.Monad (forM_)
+import Data.Aeson (Value (..), decode)
+import qualified Data.Aeson.KeyMap as Keys
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Chars
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (toList)
+import Data.List (sort)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import qualified Data.Text.IO as Text
+import Dioptre.Command.Check (Format (..), check)
+import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Info (info)
+import Dioptre.Command.Journal (newJournal)
+import Dioptre.Command.Render (Options (..), Output (..), render)
+import Dioptre.Command.Run (readConfiguration, run)
+import Dioptre.Source.Language (Language (..))
+import Dioptre.Syntax.Keyword (allSpellings)
+import GHC.IO.Handle (hDuplicate, hDuplicateTo)
+import System.Directory (createDirectory, doesFileExist, listDirectory, withCurrentDirectory)
+import System.Exit (ExitCode (..))
+import System.IO (Handle, hClose, hFlush, hSetEncoding, openTempFile, stderr, stdout, utf8)
+import System.IO.Temp (withSystemTempDirectory)
+import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe, shouldSatisfy)
+import Prelude hiding (compare)
+
+spec :: Spec
+spec = do
+  describe "render" $ do
+    it "writes the first free number and prints its path, one line, on standard output" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      (code, out, _) <- heard (render' plainOptions)
+      (code', out', _) <- heard (render' plainOptions)
+      (code, out, code', out') `shouldBe` (ExitSuccess, "ball_000.png\n", ExitSuccess, "ball_001.png\n")
+      files <- listDirectory "."
+      sort files `shouldBe` ["ball_000.png", "ball_001.png", "s.txt"]
+    it "writes exactly where -o says, and replaces what is there" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "p.png" "old"
+      (code, out, _) <- heard (render' plainOptions {optionOutput = ToFile "p.png"})
+      (code, out) `shouldBe` (ExitSuccess, "p.png\n")
+      Bytes.take 4 <$> Bytes.readFile "p.png" >>= (`shouldBe` "\x89PNG")
+    it "refuses to replace the scene by its picture" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      (code, _, _) <- heard (render' plainOptions {optionOutput = ToFile "./s.txt"})
+      code `shouldBe` ExitFailure 2
+      Text.readFile "s.txt" >>= (`shouldBe` sphereScene)
+    it "draws a faulty scene all the same, and says what is wrong on standard error" . inFolder $ do
+      Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene)
+      (code, out, err) <- heard (render' plainOptions)
+      (code, out) `shouldBe` (ExitSuccess, "ball_000.png\n")
+      err `shouldContainText` "s.txt:12:5: error: '1.O' is not a number  [not-a-number]"
+    it "draws nothing under --strict" . inFolder $ do
+      Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene)
+      (code, out, _) <- heard (render' plainOptions {optionStrict = True})
+      (code, out) `shouldBe` (ExitFailure 1, "")
+      listDirectory "." >>= (`shouldBe` ["s.txt"])
+    it "exits with 3 where the scene or the folder of the picture is not there" . inFolder $ do
+      (code, out, err) <- heard (render' plainOptions)
+      (code, out) `shouldBe` (ExitFailure 3, "")
+      err `shouldContainText` "s.txt"
+      Text.writeFile "s.txt" sphereScene
+      (code', _, err') <- heard (render' plainOptions {optionOutput = ToFile "nowhere/p.png"})
+      code' `shouldBe` ExitFailure 3
+      err' `shouldContainText` "nowhere"
+    it "crops to the pixels of the whole picture" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      _ <- heard (render' plainOptions {optionOutput = ToFile "whole.png"})
+      _ <- heard (render' plainOptions {optionOutput = ToFile "part.png", optionCrop = Just (0, 0, 20, 16)})
+      (code, out, _) <- heard (journal' (\j -> compare j "whole.png" "part.png"))
+      (code, out) `shouldBe` (ExitSuccess, "20 x 16 pixels, equal\n")
+      (code', _, _) <- heard (render' plainOptions {optionCrop = Just (10, 0, 11, 16)})
+      code' `shouldBe` ExitFailure 2
+  describe "check" $ do
+    it "says nothing is wrong, and exits with 0" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      heard (journal' (\j -> check j AsText ["s.txt"])) >>= (`shouldBe` (ExitSuccess, "s.txt: no faults\n", ""))
+    it "exits with 1 for faults, with 3 for a file that is not there, and 3 beats 1" . inFolder $ do
+      Text.writeFile "s.txt" "camara\n"
+      (code, _, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
+      (code', _, _) <- heard (journal' (\j -> check j AsText ["s.txt", "t.txt"]))
+      (code, code') `shouldBe` (ExitFailure 1, ExitFailure 3)
+    it "prints one JSON object with the agreed fields" . inFolder $ do
+      Text.writeFile "s.txt" "viewport\n\twidht 3\nend\n"
+      (code, out, _) <- heard (journal' (\j -> check j AsJson ["s.txt"]))
+      code `shouldBe` ExitFailure 1
+      case decode (Lazy.fromStrict (Text.encodeUtf8 out)) of
+        Just (Object o)
+          | Just (Array ds) <- Keys.lookup "diagnostics" o,
+            [Object d] <- toList ds -> do
+            sort (Keys.keys d) `shouldBe` ["code", "column", "endColumn", "expected", "file", "line", "message", "severity", "used"]
+            [Keys.lookup k d | k <- ["file", "code", "severity", "line", "column", "endColumn"]]
+              `shouldBe` map Just [String "s.txt", String "unknown-word", String "error", Number 2, Number 2, Number 7]
+        other -> fail (show other)
+    it "reports pictures that are missing" . inFolder $ do
+      Text.writeFile "s.txt" "texture_material\nname a\ntexture_kd no.png\nend\n"
+      (code, out, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
+      code `shouldBe` ExitFailure 1
+      out `shouldContainText` "s.txt:3:12: error: no file is called 'no.png'"
+  describe "compare" $
+    it "tells size, number, largest difference and first place" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "t.txt" (Text.replace "color 1.0 0.0 0.0" "color 0.5 0.0 0.0" sphereScene)
+      (code, out, _) <- heard (journal' (\j -> compare j "s.txt" "t.txt"))
+      code `shouldBe` ExitFailure 1
+      -- The ball is red with kd 1: 255 against level 128, a difference of 127.
+      out `shouldContainText` "20 x 16 pixels, different: "
+      out `shouldContainText` "by at most 127"
+  describe "info" $
+    it "knows every word of the language that objects use" $ do
+      let words' = Text.words (Text.replace "," " " (info English))
+      [s | s <- allSpellings, s `notElem` words', s `notElem` unused] `shouldBe` []
+  describe "the run without arguments" $ do
+    it "writes a configuration where there is none" . inFolder $ do
+      (code, out, _) <- heard runHere
+      code `shouldBe` ExitSuccess
+      out `shouldContainText` "configuration.cfg"
+      doesFileExist "configuration.cfg" >>= (`shouldBe` True)
+      (code', _, _) <- heard runHere
+      code' `shouldBe` ExitSuccess
+    it "draws, counts, logs, and writes the scene back" . inFolder $ do
+      createDirectory "scenes"
+      Text.writeFile "scenes/s.txt" sphereScene
+      Bytes.writeFile "configuration.cfg" "# l\xE9gende\r\napplication console\r\nread_data s.txt\r\nwrite_data out.txt\r\nviewport_image_count 41 next\r\n"
+      (code, out, err) <- heard runHere
+      (code, out) `shouldBe` (ExitSuccess, "ball_041.png\n")
+      -- 20 x 16 rays against one shape.
+      err `shouldContainText` "320 rays, 320 intersection tests"
+      Bytes.readFile "configuration.cfg"
+        >>= (`shouldBe` "# l\xE9gende\r\napplication console\r\nread_data s.txt\r\nwrite_data out.txt\r\nviewport_image_count 42 next\r\n")
+      log' <- Text.readFile "log.txt"
+      forM_ ["reading scene 's.txt'", "1 primitive", "320 rays", "ball_041.png"] (log' `shouldContainText`)
+      (code', out', _) <- heard (journal' (\j -> compare j "out.txt" "scenes/s.txt"))
+      (code', out') `shouldBe` (ExitSuccess, "20 x 16 pixels, equal\n")
+    it "says where it looked for a scene that is not there" . inFolder $ do
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\n"
+      (code, _, err) <- heard runHere
+      code `shouldBe` ExitFailure 3
+      forM_ ["'s.txt'", "scenes", "models"] (err `shouldContainText`)
+    it "does nothing for the application none, and draws for frame" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application none\nread_data s.txt\n"
+      heard runHere >>= \(code, out, _) -> (code, out) `shouldBe` (ExitSuccess, "")
+      Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
+      heard runHere >>= \(code, out, _) -> (code, out) `shouldBe` (ExitSuccess, "ball_000.png\n")
+    it "writes no log and stays silent where it is asked to" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\nlog_console no\nlog_file 0\n"
+      heard runHere >>= (`shouldBe` (ExitSuccess, "ball_000.png\n", ""))
+      doesFileExist "log.txt" >>= (`shouldBe` False)
+    it "compares what a list names" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "list.txt" "texture_comparator\nfile s.txt\nfile s.txt\nend\n"
+      Text.writeFile "configuration.cfg" "application comparator\nread_data list.txt\nwrite_data again.txt\n"
+      (code, out, _) <- heard runHere
+      (code, out) `shouldBe` (ExitSuccess, "comparison #1: s.txt, s.txt: equal\n")
+      Text.readFile "again.txt" >>= (`shouldContainText` "s.txt")
+    it "speaks French where the configuration says so" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\n"
+      (_, _, err) <- heard (newJournal French True >>= \j -> readConfiguration >>= run j)
+      err `shouldContainText` "lecture de la sc\xE8ne"
+  it "survives a scene of any bytes" . inFolder $ do
+    Bytes.writeFile "s.txt" (Chars.pack ['\0' .. '\255'])
+    (code, _, _) <- heard (render' plainOptions)
+    code `shouldNotBe` ExitFailure 70
+  where
+    render' options = journal' (`render` options)
+    journal' command = newJournal English True >>= command
+    runHere = newJournal English True >>= \j -> readConfiguration >>= run j
+    plainOptions = Options "s.txt" (Numbered minBound) Nothing Nothing Nothing Nothing False
+    -- Words of the original that open objects which scenes do not have, and what closes objects.
+    unused =
+      ["end", "fin", "view_frustum", "viewfrustum", "default_material", "scene", "model_msr", "console_comparator", "comparateur_console"]
+        <> ["particle", "particule", "particles_system", "systeme_particules", "electric_charge", "charge_electrique"]
+        <> ["texture_comparator", "texture_comparateur"]
+
+-- | A red ball in 20 x 16 pixels. Its radius is on line 12.
+sphereScene :: Text
+sphereScene =
+  Text.unlines
+    [ "viewport",
+      "width 20",
+      "height 16",
+      "image_file_name ball",
+      "end",
+      "raytracer",
+      "reflexion_algorithm no_light",
+      "end",
+      "primitive",
+      "material_name red",
+      "sphere position 0 0 0",
+      "ray 1.0",
+      "position 0 0 4",
+      "end",
+      "end",
+      "material",
+      "name red",
+      "color 1.0 0.0 0.0",
+      "kd 1.0",
+      "end"
+    ]
+
+shouldContainText :: Text -> Text -> IO ()
+shouldContainText text part = Text.unpack text `shouldContain` Text.unpack part
+
+-- | Works in an empty folder of its own.
+inFolder :: IO a -> IO a
+inFolder work = withSystemTempDirectory "dioptre" (`withCurrentDirectory` work)
+
+-- | What some work returns, and what it says on standard output and standard error.
+heard :: IO a -> IO (a, Text, Text)
+heard work = withSystemTempDirectory "heard" $ \folder -> do
+  (outPath, outHandle) <- openTempFile folder "out"
+  (errPath, errHandle) <- openTempFile folder "err"
+  mapM_ (`hSetEncoding` utf8) [outHandle, errHandle]
+  result <- diverted stdout outHandle (diverted stderr errHandle work)
+  (,,) result <$> (Text.decodeUtf8 <$> Bytes.readFile outPath) <*> (Text.decodeUtf8 <$> Bytes.readFile errPath)
+
+-- | Sends what is written to one handle to another, which is closed in the end.
+diverted :: Handle -> Handle -> IO a -> IO a
+diverted from to work =
+  bracket (hFlush from >> hDuplicate from) restore (const (hDuplicateTo to from >> (work `finally` hFlush from))) `finally` hClose to
+  where
+    restore saved = hDuplicateTo saved from >> hSetEncoding from utf8 >> hClose saved

@@ -1,0 +1,80 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+module Dioptre.Source.MessageSpec
+  ( spec,
+  )
+where
+
+import Data.Foldable (for_)
+import Data.List (nub, sort)
+import qualified Data.Text as Text
+import Dioptre.Source.Diagnostic
+import Dioptre.Source.Language (Language (..))
+import Dioptre.Source.Message
+import Laws.Reading
+import Test.Hspec hiding (Expectation)
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck (conjoin, counterexample)
+
+spec :: Spec
+spec = do
+  describe "each problem" $ do
+    prop "is said in both languages" . conjoin $ map (\p -> counterexample (show p) (isSaidInBothLanguages p)) problems
+    prop "has a code for programs" . conjoin $ map hasAStableCode problems
+    it "has the code that it always had" $
+      nub (sort (map code problems))
+        `shouldBe` sort
+          ( ["unknown-word", "misplaced-word", "stray-end", "misspelt-end", "missing-end", "unclosed-comment", "repeated-property", "second-shape", "decimal-comma"]
+              <> ["no-material-name", "missing-material", "repeated-material", "replaced-object", "not-drawn-yet", "sampling-without-random"]
+              <> ["missing-file", "several-files", "unreadable-file"]
+              <> ["missing-value", "not-a-number", "not-an-integer", "number-too-large", "out-of-range", "wrong-count", "unknown-choice", "unsafe-name", "name-taken", "wrong-ending", "zero-vector", "zero-component", "same-point"]
+              <> ["no-shape", "zero-size", "zero-normal", "nowhere-to-look", "up-along-front", "far-before-near", "collinear-points", "equal-points", "inner-beyond-outer"]
+              <> ["curvature-below-radius", "lens-too-thin", "zero-orientation", "no-attenuation", "invisible-wavelength", "too-many-pixels", "too-many-oscillators"]
+          )
+    it "names what it is about" $
+      for_ [English, French] $ \l -> do
+        message l (UnknownWord "sphre" [] (Just "sphere") TheLine) `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'sphre'", "'sphere'"])
+        message l (RefusedValue "ray" (OutOfRange "-1") AVector "2.0") `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'-1'", "'ray'"])
+        message l (MissingEnd "camera" (Just ("viewport", 12))) `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'camera'", "'viewport'", "12"])
+        used l (UnknownWord "sphre" [] Nothing (TheObject 15)) `shouldSatisfy` maybe False ("15" `Text.isInfixOf`)
+        used l (RefusedValue "ray" (OutOfRange "-1") AVector "2.0") `shouldBe` Just "2.0"
+        expected l (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (Between "10.0" "170.0")) "2.0") `shouldSatisfy` maybe False (\t -> all (`Text.isInfixOf` t) ["10.0", "170.0"])
+    it "is cut short where the file is long-winded" $
+      for_ [English, French] $ \l ->
+        message l (UnknownWord (Text.replicate 10000 "x") [] Nothing TheLine) `shouldSatisfy` ((< 200) . Text.length)
+  describe "what is expected" $
+    it "is said in both languages, which are not the same" $
+      for_ expectations $ \e -> do
+        map (\l -> Text.null (expectation l e)) [English, French] `shouldBe` [False, False]
+        expectation English e `shouldNotBe` expectation French e
+  it "names severities" $ [severityName l s | l <- [English, French], s <- [Note, Warning, Error]] `shouldBe` ["note", "warning", "error", "remarque", "avertissement", "erreur"]
+
+-- | One problem of each kind, and of each kind of each part.
+problems :: [Problem]
+problems =
+  [UnknownWord "a" ["b"] g p | g <- [Nothing, Just "b"], p <- [TheLine, TheObject 3]]
+    <> [MisplacedWord "a" o ["b"] TheLine | o <- [Nothing, Just "camera"]]
+    <> [StrayEnd "end", MisspeltEnd "edn", MissingEnd "camera" Nothing, MissingEnd "camera" (Just ("model", 3)), UnclosedComment]
+    <> [RefusedValue "a" r e k | r <- refusals, e <- take 1 expectations, k <- ["", "1.0"]]
+    <> [RefusedValue "a" NothingThere e "1" | e <- expectations]
+    <> [RepeatedProperty "point" n | n <- [1, 3]]
+    <> [SecondShape "primitive", DecimalComma "angle" "20"]
+    <> [ImpossibleObject "camera" f d | f <- flaws, d <- [LeftOut, Superseded]]
+    <> [NoMaterialName, MissingMaterial "a" Nothing, MissingMaterial "a" (Just "b"), RepeatedMaterial "a" 3, ReplacedObject "camera" 3, NotDrawnYet "model", SamplingWithoutRandom 4]
+    <> [UnusableFile "a" u t | u <- [ForTexture, ForMask], t <- [NoSuchFile ["scenes"], SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
+
+refusals :: [Refusal]
+refusals =
+  [NothingThere, NotANumber "x", NotAnInteger "x", TooLarge "1e400", OutOfRange "-1", NoSuchChoice "x" Nothing, NoSuchChoice "x" (Just "y"), UnsafeName, NameTaken, WrongEnding, ZeroVector, ZeroComponent, SamePoint]
+    <> [WrongCount 3 4 g | g <- [NoGuess, CommentBehind, CommaInNumber]]
+
+flaws :: [Flaw]
+flaws =
+  [WithoutShape, ZeroSize, ZeroNormal, NowhereToLook, UpAlongFront, FarBeforeNear, CollinearPoints, EqualPoints, InnerBeyondOuter, CurvatureBelowRadius, LensTooThin, ZeroOrientation, NoAttenuation, InvisibleWavelength, TooManyPixels 5, TooManyOscillators 5]
+
+expectations :: [Expectation]
+expectations =
+  [ARealNumber r | r <- ranges] <> [AnInteger r | r <- ranges]
+    <> [AVector, AVectorWithoutZero, ADirection, TwoCoordinates, AColour ["red"], ABoolean, AChoice ["a", "b"], SomeText, AnOutputName, AnOutputNameEnding ".txt"]
+  where
+    ranges = [AnyNumber, AtLeast "0", Between "0" "1"]

@@ -1,0 +1,155 @@
+-- |
+-- Module      : Laws.Closest
+-- Description : What a ray meets first
+module Laws.Closest
+  ( Among (..),
+    worldOf,
+    sceneOf,
+    isFirstOfAll,
+    holdsItsShapes,
+    doesNotDependOnOrder,
+    goesToTheFirstOfEquals,
+    staysBelowTheBound,
+    doesNotSeeBehind,
+    materialsAreFirstOfName,
+    amongCorners,
+  )
+where
+
+import Data.List (sort, sortOn)
+import Data.Maybe (catMaybes)
+import qualified Data.Text as Text
+import qualified Data.Vector as Vector
+import Dioptre.Geometry.Plane (plane)
+import Dioptre.Geometry.Prepared (parameters)
+import Dioptre.Geometry.Ray (Ray, ray)
+import Dioptre.Geometry.Shape (Shape (..))
+import Dioptre.Light.Material (Material (..), standard, substitute)
+import Dioptre.Math.Vector (V3 (..))
+import Dioptre.Render.World
+import Dioptre.Scene (Scene (..))
+import Dioptre.Scene.Camera (defaultCamera, defaultViewport)
+import Dioptre.Scene.Primitive (Primitive (..))
+import Dioptre.Scene.Raytracer (defaultRaytracer)
+import Laws.Aim
+import Laws.Draw
+import Test.QuickCheck
+
+-- | Several shapes and a ray that is aimed at one of them. Some shapes are there twice, some touch, some are around others.
+data Among = Among [Shape] Ray
+  deriving (Eq, Show)
+
+instance Arbitrary Among where
+  arbitrary = do
+    kind <- elements [Few, Few, Full]
+    n <- chooseInt (1, 7)
+    first <- vectorOf n (elements [minBound ..] >>= \sort' -> if kind == Few then oneof [crispShape sort', shapeOf sort' kind] else shapeOf sort' kind)
+    twice <- sublistOf first
+    nested <- catMaybes <$> mapM (\s -> (\k -> carried id id (* k) s) <$> elements [0.5, 2, 1 + 2 ** (-52)]) (take 2 first)
+    shapes <- shuffle (first ++ twice ++ nested)
+    target <- elements shapes
+    Among shapes <$> rayAt kind target
+  shrink (Among shapes r) = [Among s r | s <- shrinkList (const []) shapes, not (null s)]
+
+-- | The scene of some shapes, whose materials are named after their numbers.
+sceneOf :: [Shape] -> Scene
+sceneOf shapes =
+  Scene
+    { sceneCamera = defaultCamera,
+      sceneViewport = defaultViewport,
+      sceneRaytracer = defaultRaytracer,
+      sceneModels = [],
+      scenePrimitives = zipWith (Primitive . named) [0 :: Int ..] shapes,
+      sceneMaterials = [standard {materialName = named i} | i <- [0 .. length shapes - 1]],
+      sceneLights = []
+    }
+  where
+    named = Text.pack . show
+
+-- | The world of some shapes.
+worldOf :: [Shape] -> World
+worldOf = world . sceneOf
+
+-- | All hits of all shapes ahead, below a bound, sorted: those at the same parameter in the order of the shapes.
+allHits :: [Shape] -> Ray -> Double -> [(Double, Int)]
+allHits shapes r bound = sort [(t, i) | (i, shape) <- zip [0 ..] shapes, t <- parameters (preparedOf shape) r, t > 1e-8, t < bound]
+
+-- | The closest hit is the first of all hits of all shapes, sorted.
+isFirstOfAll :: Among -> Property
+isFirstOfAll (Among shapes r) = conjoin [counterexample (show b) (closest (worldOf shapes) r b === firstOf (allHits shapes r b)) | b <- [1 / 0, 100, 1]]
+
+-- | A world has the scene's shapes, prepared, in their order, and no others.
+holdsItsShapes :: Among -> Property
+holdsItsShapes (Among shapes _) = [shapeAt w i | i <- [-1 .. length shapes]] === [Nothing] ++ map (Just . preparedOf) shapes ++ [Nothing] .&&. worldSize w === length shapes
+  where
+    w = worldOf shapes
+
+firstOf :: [(Double, Int)] -> Closest
+firstOf hits = case hits of
+  [] -> Nowhere
+  (t, i) : _ -> At t i
+
+-- | The parameter of the closest hit does not depend on the order of the shapes, nor does the shape, if only one is met there.
+doesNotDependOnOrder :: Among -> Property
+doesNotDependOnOrder (Among shapes r) = forAll (shuffle (zip [0 ..] shapes)) $ \shuffled ->
+  case (closest (worldOf shapes) r (1 / 0), closest (worldOf (map snd shuffled)) r (1 / 0)) of
+    (Nowhere, Nowhere) -> property True
+    (At t i, At t' j) -> t === t' .&&. (length (filter ((== t) . fst) (allHits shapes r (1 / 0))) > 1 .||. fmap fst (at j shuffled) === Just i)
+    other -> counterexample (show other) False
+  where
+    at j xs = if j < length xs then Just (xs !! j) else Nothing
+
+-- | Of several shapes at the same parameter the first of the scene is met: of copies of one shape the first.
+goesToTheFirstOfEquals :: Aimed -> Property
+goesToTheFirstOfEquals (Aimed shape r) = forAll (chooseInt (2, 5)) $ \n ->
+  closest (worldOf (replicate n shape)) r (1 / 0) === closest (worldOf [shape]) r (1 / 0)
+
+-- | Nothing is met at the bound or beyond; a hit is met as soon as the bound is the next larger number.
+staysBelowTheBound :: Among -> Property
+staysBelowTheBound (Among shapes r) = case closest w r (1 / 0) of
+  Nowhere -> property (not (any ahead (concatMap (\s -> parameters (preparedOf s) r) shapes)))
+  At t i -> closest w r t === Nowhere .&&. closest w r (nudged 1 t) === At t i .&&. closest w r 1e-8 === Nowhere .&&. closest w r 0 === Nowhere
+  where
+    w = worldOf shapes
+    ahead t = t > 1e-8
+
+-- | Nothing is met at 1e-8 or before, and so nothing behind the origin and not the surface on which the ray starts: a plane across the x axis at x = t is met at t by
+-- the ray along the axis, if t is greater than 1e-8.
+doesNotSeeBehind :: Among -> Property
+doesNotSeeBehind (Among shapes r) =
+  conjoin
+    [ counterexample (show (closest (worldOf shapes) r (1 / 0))) (ahead (closest (worldOf shapes) r (1 / 0))),
+      map (fmap (\w -> closest w alongTheAxis 1) . planeAt) [0, 1e-9, nudged (-1) 1e-8, 1e-8, -1, -1e-8] === replicate 6 (Just Nowhere),
+      map (fmap (\w -> closest w alongTheAxis 1) . planeAt) [nudged 1 1e-8, 1.5e-8, 0.5] === map (Just . (`At` 0)) [nudged 1 1e-8, 1.5e-8, 0.5]
+    ]
+  where
+    ahead c = case c of
+      Nowhere -> True
+      At t _ -> t > 1e-8
+    alongTheAxis = ray 0 (V3 1 0 0)
+    planeAt t = (\p -> worldOf [APlane p]) <$> plane (V3 t 0 0) (V3 1 0 0)
+
+-- | A shape takes the first of the materials of its name, and the grey one where there is none.
+materialsAreFirstOfName :: Among -> Property
+materialsAreFirstOfName (Among shapes _) = forAll (vectorOf 6 (elements "abc")) $ \names -> forAll (vectorOf (length shapes) (elements "abcd")) $ \asked ->
+  let materials = [standard {materialName = Text.singleton c, materialShininess = k} | (c, k) <- zip names [1 ..]]
+      scene = (sceneOf shapes) {sceneMaterials = materials, scenePrimitives = zipWith (Primitive . Text.singleton) asked shapes}
+      expected c = case sortOn materialShininess (filter ((== Text.singleton c) . materialName) materials) of
+        m : _ -> m
+        [] -> substitute (Text.singleton c)
+   in Vector.toList (worldMaterials (world scene)) === map expected asked
+
+-- | What the generator of 'Among' must reach.
+amongCorners :: Among -> [(String, Bool)]
+amongCorners (Among shapes r) =
+  [ ("nothing ahead", null hits),
+    ("something ahead and something behind", not (null hits) && any (< 0) everything),
+    ("several shapes at the closest parameter", length (filter ((== fmap fst (first hits)) . Just . fst) hits) > 1),
+    ("the first hit is not the first shape's", maybe False ((> 0) . snd) (first hits))
+  ]
+  where
+    hits = allHits shapes r (1 / 0)
+    everything = concatMap (\s -> parameters (preparedOf s) r) shapes
+    first xs = case xs of
+      x : _ -> Just x
+      [] -> Nothing
