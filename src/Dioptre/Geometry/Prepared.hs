@@ -42,7 +42,7 @@ import Dioptre.Geometry.Plane (Plane, planeNormal, planeParameters, planePositio
 import Dioptre.Geometry.Ray (Ray, direction, position)
 import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
-import Dioptre.Geometry.Sphere (sphereCentre, sphereContains, sphereNormal, sphereParameters, sphereRadius)
+import Dioptre.Geometry.Sphere (sphereCentre, sphereContains, sphereNormal, sphereParameters, sphereParametersAhead, sphereRadius)
 import Dioptre.Geometry.Torus (torusContains, torusNormal, torusParameters)
 import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, interpolatedNormal, smoothTriangleFlat, smoothTriangleNormals, smoothTriangleUvs, triangleNormal, triangleParameters, trianglePoints)
 import Dioptre.Geometry.Tube (tubeNormal, tubeParameters)
@@ -160,7 +160,9 @@ rareParameters shape r = case shape of
 -- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound; the bound
 -- itself if there is none.
 nearest :: Prepared -> Ray -> Double -> Double
-nearest shape r = foldr keep id (parameters shape r)
+nearest shape r = foldr keep id $ case shape of
+  Sphere c radiusSquared -> sphereParametersAhead (unpacked c) radiusSquared r
+  _ -> parameters shape r
   where
     keep t next !best = if t > smallestParameter && t < best then next t else next best
 {-# INLINE nearest #-}
@@ -176,16 +178,25 @@ normalAt shape r t = case shape of
   Triangle _ _ _ n -> unpackedUnit n
   SmoothTriangle a b c n normals _ ->
     interpolatedNormal (unpackedUnit n) normals (barycentric (unpacked a) (unpacked b) (unpacked c) (position r t))
+  _ -> rareNormal shape r t
+{-# INLINE normalAt #-}
+
+-- | The normals of the shapes whose rules are long.
+rareNormal :: Prepared -> Ray -> Double -> Unit
+rareNormal shape r t = case shape of
   Tube a -> along a (\p1 s _ _ -> tubeNormal p1 s (position r t))
   Cylinder a -> along a cylinderNormal r t
   Cone a -> along a coneNormal r t
   Lens a c1 c2 -> along a lensNormal c1 c2 r t
   Cap p n radius c -> capNormal (unpacked p) (unpackedUnit n) radius c (position r t)
   Torus p n major minor -> torusNormal (unpacked p) (unpackedUnit n) major minor (position r t)
-  Placed place inner -> transformNormal place (normalAt inner (carriedBack place r) t)
+  Placed place inner -> transformNormal place (rareNormal inner (carriedBack place r) t)
+  _ -> normalAt shape r t
+{-# NOINLINE rareNormal #-}
 
 -- | A normal turned against the direction in which a ray arrives: n where \<d, n> < 0, otherwise -n.
 shadingNormal :: Ray -> Unit -> Unit
+{-# INLINE shadingNormal #-}
 shadingNormal r n
   | dot (direction r) (vector n) < 0 = n
   | otherwise = opposite n

@@ -1,3 +1,4 @@
+{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
 
 -- |
@@ -20,6 +21,7 @@ module Dioptre.Geometry.Sphere
 
     -- * Intersecting
     sphereParameters,
+    sphereParametersAhead,
     sphereNormal,
     sphereContains,
   )
@@ -53,6 +55,19 @@ sphereParameters c radiusSquared r = quadraticRoots (dot d d) (2 * dot w d) (dot
     d = direction r
     w = origin r - c
 {-# INLINE sphereParameters #-}
+
+-- | The same, without the parameters behind the origin where that costs nothing: a ray that starts outside (C0 > 0) and does not come nearer (B >= 0)
+-- meets the sphere at no positive parameter, since the two roots have the product C0 \/ A > 0 and the sum -B \/ A <= 0.
+sphereParametersAhead :: Point -> Double -> Ray -> [Double]
+sphereParametersAhead c radiusSquared r
+  | b >= 0 && c0 > 0 = []
+  | otherwise = quadraticRoots (dot d d) b c0
+  where
+    d = direction r
+    w = origin r - c
+    !b = 2 * dot w d
+    !c0 = dot w w - radiusSquared
+{-# INLINE sphereParametersAhead #-}
 
 -- | The outward unit normal at a point of the sphere: (r - C) \/ |r - C|. (At the centre, which is no point of the
 -- sphere, it is the z axis.)

@@ -54,5 +54,5 @@ normalized how (Colour r g b a) = case how of
 level :: Double -> Word8
 level c
   | c >= 1 = 255
-  | c > 0 = fromInteger (truncate (float2Double (double2Float c * 255) + 0.5))
+  | c > 0 = fromIntegral (truncate (float2Double (double2Float c * 255) + 0.5) :: Int)
   | otherwise = 0

@@ -36,7 +36,7 @@ import Dioptre.Light.Colour (Colour (..), black, filtered, plus, scaled)
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Point, Unit, V3 (..), Vector, dot, modulus, unpacked, vector, (^/))
+import Dioptre.Math.Vector (Packed, Point, Unit, V3 (..), Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Stage
@@ -76,7 +76,7 @@ lookOnce :: Stage -> Terms -> Double -> Ray -> Seen
 lookOnce s terms far !r = case closest (stageWorld s) r far of
   Nowhere -> Seen black 1 False
   At t i -> case lighting s terms r t i of
-    Lit c n -> Seen c (n + 1) False
+    Lit red' green' blue' n -> Seen (Colour red' green' blue' 1) (n + 1) False
 
 -- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of where it travels.
 data Pending = Pending !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
@@ -94,7 +94,7 @@ follow s terms far = go 0 0 black
       | otherwise = case closest (stageWorld s) r far of
         Nowhere -> go (followed + 1) (rays + 1) total rest
         At t i -> case (lighting s terms r t i, shapeAt (stageWorld s) i) of
-          (Lit (Colour red' green' blue' _) n, Just shape) ->
+          (Lit red' green' blue' n, Just shape) ->
             let !total' = total `plus` Colour (wr * red') (wg * green') (wb * blue') 1
                 !bounces = if depth < stageDepth s then branches shape r t i depth wr wg wb index rest else rest
              in go (followed + 1) (rays + 1 + n) total' bounces
@@ -125,61 +125,70 @@ follow s terms far = go 0 0 black
               Nothing -> below
               Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` below
 
--- | A colour, and how many shadow rays it took.
-data Lit = Lit !Colour {-# UNPACK #-} !Int
+-- | An amount of red, green and blue light, and how many shadow rays it took.
+data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int
 
 -- | The light that the shape of number i sends along a ray that meets it at parameter t: the sum over all lights, in their order.
 lighting :: Stage -> Terms -> Ray -> Double -> Int -> Lit
 lighting s terms !r !t i = case shapeAt (stageWorld s) i of
-  Nothing -> Lit black 0
+  Nothing -> Lit 0 0 0 0
   Just shape ->
     let !colours = coloursAt (surfaceOf s i) shape r t
-        !n = shadingNormal r (normalAt shape r t)
-        !p = position r t
-        sources = stageSources s
-        go !k !total !rays
-          | k >= Vector.length sources = Lit total rays
-          | otherwise = case illuminated s terms colours p n (direction r) (Vector.unsafeIndex sources k) of
-            Lit c m -> go (k + 1) (total `plus` c) (rays + m)
-     in go 0 black 0
+        !n = packedUnit (shadingNormal r (normalAt shape r t))
+        !p = packed (position r t)
+        !v = packed (direction r)
+        !sources = stageSources s
+        go !k !red' !green' !blue' !rays
+          | k >= Vector.length sources = Lit red' green' blue' rays
+          | otherwise = case illuminated s terms colours p n v (Vector.unsafeIndex sources k) of
+            Lit r' g' b' m -> go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m)
+     in go (0 :: Int) 0 0 0 0
 
 -- | The light of one source at a point with normal n, seen in direction v.
-illuminated :: Stage -> Terms -> Colours -> Point -> Unit -> Vector -> Source -> Lit
-illuminated s terms !colours !p !n !v source = case source of
+illuminated :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Source -> Lit
+illuminated s terms !colours !at !normal !view source = case source of
   FromEverywhere light
-    | termAmbient terms -> Lit (ambient light (ambientOf colours)) 0
-    | otherwise -> Lit black 0
+    | termAmbient terms -> litBy (ambient light (ambientOf colours)) 0
+    | otherwise -> Lit 0 0 0 0
   FromFar light d ->
     arriving (unpacked d) infinity $ \filter' -> surfaceTerms terms colours n v (unpacked d) (throughFilter light filter')
-  FromPoint light at amplification attenuators ->
-    from at amplification attenuators $ \d factor filter' -> scaled factor (surfaceTerms terms colours n v d (throughFilter light filter'))
-  FromWaves light at amplification attenuators wave sources ->
-    from at amplification attenuators $ \_ factor filter' ->
+  FromPoint light place amplification attenuators ->
+    from place amplification attenuators $ \d factor filter' -> scaled factor (surfaceTerms terms colours n v d (throughFilter light filter'))
+  FromWaves light place amplification attenuators wave sources ->
+    from place amplification attenuators $ \_ factor filter' ->
       if dark (throughFilter light filter') then black else scaled (factor * intensity wave sources p) light
   where
+    p = unpacked at
+    n = unpackedUnit normal
+    v = unpacked view
     -- What arrives along d from a distance, unless the surface is turned away or something stands between.
     arriving d distance' shine
-      | negate (dot (vector n) d) <= 0 = Lit black 0
+      | negate (dot (vector n) d) <= 0 = Lit 0 0 0 0
       | otherwise = case passage s (ray p (negate d)) distance' of
-        Blocked -> Lit black 1
-        open -> Lit (shine open) 1
+        Blocked -> Lit 0 0 0 1
+        open -> litBy (shine open) 1
     {-# INLINE arriving #-}
     -- From a place, with attenuation; nothing from the very place itself, or where the attenuation divides by zero.
-    from at amplification attenuators shine
-      | distance' == 0 || denominator == 0 = Lit black 0
+    from place amplification attenuators shine
+      | distance' == 0 || denominator == 0 = Lit 0 0 0 0
       | otherwise = arriving d distance' (shine d (amplification / denominator))
       where
-        between = p - unpacked at
+        between = p - unpacked place
         distance' = modulus between
         d = between ^/ distance'
         V3 constant linear quadratic = unpacked attenuators
         denominator = constant + linear * distance' + quadratic * distance' * distance'
     {-# INLINE from #-}
 
+litBy :: Colour -> Int -> Lit
+litBy (Colour r g b _) = Lit r g b
+{-# INLINE litBy #-}
+
 infinity :: Double
 infinity = 1 / 0
 
 -- | Lambert's term and the highlight.
+{-# INLINE surfaceTerms #-}
 surfaceTerms :: Terms -> Colours -> Unit -> Vector -> Vector -> Colour -> Colour
 surfaceTerms terms colours n v d light
   | dark light = black
