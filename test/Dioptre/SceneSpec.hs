@@ -94,7 +94,7 @@ large =
     ("of unknown objects, closed", Text.replicate (million `div` 10) "x\n" <> Text.replicate (million `div` 10) "end\n", ["unknown-word"]),
     ("of unknown objects that a long line closes", Text.replicate (million `div` 10) "x\n" <> "camera " <> Text.replicate (million `div` 2) "y", ["unknown-word"]),
     ("of unknown objects with a comment at the end", Text.replicate (million `div` 10) "x\n" <> "/*\n" <> Text.replicate (million `div` 10) "hello\n", ["unknown-word"]),
-    ("of transformed shapes, one in the other", nested 2000, ["not-drawn-yet"]),
+    ("of transformed shapes, one in the other", nested 2000, ["no-material-name"]),
     ("of comments that are not closed", Text.replicate (million `div` 4) "/*\n", ["unclosed-comment"]),
     ("of ends", Text.replicate (million `div` 10) "end\n", ["stray-end"]),
     ("of cameras", Text.replicate (million `div` 20) "camera\n", ["missing-end"]),

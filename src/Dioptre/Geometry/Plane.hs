@@ -1,3 +1,4 @@
+{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
 
 -- |
@@ -9,7 +10,7 @@
 -- >  ------------P------------    <n, r - P> = 0
 --
 -- A ray r(t) = o + t d lies on the plane where A t + B = 0, with A = \<n, d> and B = \<n, o - P> (the handout's section 1.6).
--- A ray in the plane, or beside it, has A = 0 and does not meet it.
+-- A ray in the plane, or beside it, has A = 0 and does not meet it; or rather an A that is zero but for the rounding of n.
 module Dioptre.Geometry.Plane
   ( -- * Constructing
     Plane,
@@ -24,8 +25,8 @@ where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Roots (linearRoots)
-import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, vector)
+import Dioptre.Math.Tolerance (parallelSine, smallestLength)
+import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, quadrance, vector)
 
 -- | A plane, as it was written: its normal has any length but a negligible one.
 data Plane = Plane
@@ -44,7 +45,12 @@ plane p n
 
 -- | Where a ray's line meets the plane through P with unit normal n: one parameter or none.
 --
+-- A ray whose angle with the plane has a sine of at most 'parallelSine' is in the plane or beside it, and does not meet it.
+--
 -- Law: \<n, r(t) - P> is zero at that parameter, to rounding.
 planeParameters :: Point -> Unit -> Ray -> [Double]
-planeParameters p n r = linearRoots (dot (vector n) (direction r)) (dot (vector n) (origin r - p))
+planeParameters p n r =
+  [t | a * a > parallelSine * parallelSine * quadrance (direction r), t <- linearRoots a (dot (vector n) (origin r - p))]
+  where
+    !a = dot (vector n) (direction r)
 {-# INLINE planeParameters #-}

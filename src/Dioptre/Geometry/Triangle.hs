@@ -36,6 +36,7 @@ module Dioptre.Geometry.Triangle
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Plane (planeParameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
@@ -57,13 +58,16 @@ data Triangle = Triangle
 
 -- | The triangle with these corners; 'Nothing' if they lie on one line ('collinearSine').
 triangle :: Corners Point -> Maybe Triangle
-triangle points@(Corners p0 p1 p2)
-  | modulus n <= collinearSine * modulus e1 * modulus e2 = Nothing
-  | otherwise = Triangle points <$> unit n
+triangle points@(Corners p0 p1 p2) = do
+  u1 <- vector <$> unit e1
+  u2 <- vector <$> unit e2
+  -- The sine of the angle between the edges, which no size of the triangle takes out of range.
+  if modulus (cross u1 u2) <= collinearSine
+    then Nothing
+    else Triangle points <$> (unit (cross e1 e2) <|> unit (cross u1 u2))
   where
     e1 = p1 - p0
     e2 = p2 - p0
-    n = cross e1 e2
 
 -- | A triangle with a normal and a texture coordinate at each corner.
 data SmoothTriangle = SmoothTriangle

@@ -1,3 +1,5 @@
+{-# LANGUAGE HexFloatLiterals #-}
+
 -- |
 -- Module      : Dioptre.Math.Tolerance
 -- Description : Every tolerance of the program
@@ -8,6 +10,7 @@ module Dioptre.Math.Tolerance
   ( smallestParameter,
     smallestLength,
     collinearSine,
+    parallelSine,
     surfaceThickness,
     roundThickness,
     endThickness,
@@ -29,7 +32,12 @@ smallestLength = 1e-10
 -- 2^-51 of the product of their lengths (each component is a difference of two rounded products), so that below twice that its
 -- direction is noise.
 collinearSine :: Double
-collinearSine = 2 ** (-50)
+collinearSine = 0x1p-50
+
+-- | A ray whose angle with a plane has a sine of at most this is parallel to it: 2^-50. The components of a unit normal carry an error of 2^-52 of themselves,
+-- and \<n, d> one of 3 2^-53 of its terms, whose sum is at most |d|: together less than 2^-50 |d|, so that below it the sign of \<n, d> is noise.
+parallelSine :: Double
+parallelSine = 0x1p-50
 
 -- | The part of its size within which a point is on the surface of a sphere or cube, neither inside nor outside: a hit point is off by a few
 -- roundings of the numbers that it was computed from, which this exceeds for scenes up to some 10^5 times as large as the shape.

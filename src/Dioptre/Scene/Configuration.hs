@@ -25,6 +25,7 @@ module Dioptre.Scene.Configuration
 where
 
 import Control.Monad (foldM)
+import Data.List (find)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
@@ -91,12 +92,15 @@ checkConfiguration tree = runCheck $ do
     apart word form others name instead
       | not (clashes name) = pure name
       | otherwise = do
-        let free = if clashes instead then "dioptre_" <> instead else instead
+        -- There are fewer other names than these, so that one of them is free.
+        let free = fromMaybe instead (find (not . clashes) (instead : [prefix <> instead | prefix <- ["dioptre_", "dioptre_2_", "dioptre_3_", "dioptre_4_"]]))
         report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) free)
         pure free
       where
         place = fromMaybe wholeFile (placeOfValue word (Block (Head wholeFile "" Nothing) tree (ByEnd wholeFile)))
-        clashes t = Text.toCaseFold t `elem` map Text.toCaseFold (Text.pack configurationFile : others)
+        clashes t = bare t `elem` map bare (Text.pack configurationFile : others)
+    -- The name that a file has on the disk: reading leaves out folders, blanks around the name, and case.
+    bare = Text.toCaseFold . Text.strip . Text.takeWhileEnd (`notElem` ['/', '\\']) . Text.strip
 
 -- | A configuration of which nothing is said.
 unsaid :: Configuration

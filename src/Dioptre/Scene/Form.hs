@@ -195,6 +195,7 @@ choice options = scalar (AChoice (map fst options)) reads' (maybe "" fst . looku
       Nothing -> case integer t of
         Right n | n >= 0, (_, v) : _ <- drop n options -> Right v
         Right _ -> Left (OutOfRange t)
+        Left (TooLarge _) -> Left (OutOfRange t)
         Left _ -> Left (NoSuchChoice t (suggest (map fst options) t))
 
 -- | Yes or no, in words or as a number (0 is no).
@@ -207,6 +208,7 @@ booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
       | otherwise = case integer t of
         Right n | n >= 0 -> Right (n > 0)
         Right _ -> Left (OutOfRange t)
+        Left (TooLarge _) -> Left (TooLarge t)
         Left _ -> Left (NoSuchChoice t (suggest (yes <> no) t))
       where
         lower = Text.toLower t

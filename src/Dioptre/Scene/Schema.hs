@@ -51,10 +51,10 @@ import Data.Either (fromRight)
 import Data.Foldable (for_, toList)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (find, sortOn)
+import Data.List (find, mapAccumL, sortOn)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
-import Data.Maybe (listToMaybe)
+import Data.Maybe (isJust, listToMaybe)
 import Data.Sequence (Seq)
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
@@ -123,14 +123,22 @@ report place problem = tell (Seq.singleton (Diagnostic place problem))
 
 -- | What was found, and everything there was to say, in the order of the file.
 runCheck :: Check a -> (a, [Diagnostic])
-runCheck check = sortOn diagnosticSpan . toList <$> runWriter check
+runCheck check = snd . mapAccumL sparingly 0 . sortOn diagnosticSpan . toList <$> runWriter check
+
+-- | Leaves the guesses out from the thousandth on: finding what was meant by a word takes longer than all the rest, and
+-- in a file with so many unknown words it is not the spelling that is wrong.
+sparingly :: Int -> Diagnostic -> (Int, Diagnostic)
+sparingly n (Diagnostic place problem) = case problem of
+  UnknownWord w words' _ passed -> (n + 1, Diagnostic place (if n < 1000 then problem else UnknownWord w words' Nothing passed))
+  MissingMaterial name _ -> (n + 1, Diagnostic place (if n < 1000 then problem else MissingMaterial name Nothing))
+  _ -> (n, Diagnostic place problem)
 
 -- | How far the reading of an object has come.
 data Progress a = Progress
   { draft :: a,
     -- | How often each property, by its number, has been given.
     given :: IntMap Int,
-    -- | Whether a shape has been met, good or not.
+    -- | Whether it has a shape.
     shaped :: Bool
   }
 
@@ -172,7 +180,7 @@ readNode readShape schema object progress node = case node of
           then progress <$ report (headSpan (blockHead inner)) (SecondShape object)
           else do
             shape <- readShape inner
-            pure progress {draft = fromRight (draft progress) (slotPut slot shape (draft progress)), shaped = True}
+            pure progress {draft = fromRight (draft progress) (slotPut slot shape (draft progress)), shaped = isJust shape}
     _ -> progress <$ passOver (Just object) (admissible schema) inner
   OpenComment place -> progress <$ report place UnclosedComment
   LooseEnd word -> progress <$ report (headSpan word) (StrayEnd (headText word))

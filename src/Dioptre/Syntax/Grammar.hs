@@ -1,4 +1,5 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -18,7 +19,7 @@
 -- > block-comment= line whose first word is exactly "/*" ... line whose first word is exactly "*/"
 -- > blank        = space / tab / form feed
 --
--- Every text has a tree: the grammar has no way to fail. See "Dioptre.Syntax.Value" for what stands in a value.
+-- Lines are found first, among characters; then objects, among lines, each of which is read once. Every text has a tree: the grammar has no way to fail. See "Dioptre.Syntax.Value" for what stands in a value.
 module Dioptre.Syntax.Grammar
   ( parse,
   )
@@ -31,18 +32,21 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Void (Void)
 import Dioptre.Source.Span (Span (..))
-import Dioptre.Source.Text (Source, sourceName, sourceText)
+import Dioptre.Source.Text (Source, sourceText)
 import Dioptre.Syntax.Keyword (Role (..), fromSpelling, role)
 import Dioptre.Syntax.Spelling (isSlipOf)
 import Dioptre.Syntax.Tree
-import Text.Megaparsec hiding (parse, sourceName)
+import Text.Megaparsec hiding (parse)
 import Text.Megaparsec.Char (char)
 
+-- | Parsers of characters, which find lines; and of lines, which find objects.
 type Parser = Parsec Void Text
+
+type Lines = Parsec Void [Line]
 
 -- | The tree of a text. Total; linear in its length.
 parse :: Source -> Tree
-parse source = fromRight [] (snd (runParser' file start))
+parse source = fromRight [] (runParser file "" (fromRight [] (snd (runParser' speakingLines start))))
   where
     -- A tab is one column wide, like every other character.
     start =
@@ -53,38 +57,39 @@ parse source = fromRight [] (snd (runParser' file start))
             PosState
               { pstateInput = sourceText source,
                 pstateOffset = 0,
-                pstateSourcePos = initialPos (sourceName source),
+                pstateSourcePos = initialPos "",
                 pstateTabWidth = pos1,
                 pstateLinePrefix = ""
               },
           stateParseErrors = []
         }
 
--- | file = *item
-file :: Parser Tree
-file = items (LooseEnd <$> endLine <|> Object <$> block <|> Statement <$> property)
+-- * Objects
 
--- | The items of a file or of an object, comments and empty lines left out.
-items :: Parser Node -> Parser [Node]
-items item = catMaybes <$> many (Nothing <$ emptyLine <|> comment <|> Just <$> item)
+-- | A line that says something: its first word and the rest; or a comment that is never closed.
+data Line
+  = Says Head Value
+  | NeverClosed Span
+  deriving stock (Eq, Ord)
+
+-- | file = *item
+file :: Lines [Node]
+file = many (openComment <|> LooseEnd <$> endLine <|> Object <$> block <|> Statement <$> property)
 
 -- | block = opening *item closing
-block :: Parser Block
-block = do
-  opened <- opening
-  nodes <- items (notFollowedBy (void sceneWord <|> void endLine) *> (Object <$> block <|> Statement <$> property))
-  Block opened nodes <$> closing
+block :: Lines Block
+block = Block <$> opening <*> many item <*> closing
+  where
+    item = openComment <|> notFollowedBy (sceneWord <|> endLine) *> (Object <$> block <|> Statement <$> property)
 
 -- | closing = end-line \/ a scene word ahead \/ end of file
-closing :: Parser Closing
-closing = byEnd <$> endLine <|> BySceneWord <$> lookAhead sceneWord <|> ByEndOfFile <$ eof
+closing :: Lines Closing
+closing = byEnd <$> endLine <|> BySceneWord <$> lookAhead sceneWord <|> pure ByEndOfFile
   where
-    byEnd word = case headKeyword word of
-      Just _ -> ByEnd (headSpan word)
-      Nothing -> ByMisspeltEnd word
+    byEnd word = maybe (ByMisspeltEnd word) (const (ByEnd (headSpan word))) (headKeyword word)
 
 -- | opening = a line whose word opens an object (what follows the word is ignored), or an unknown word alone on its line
-opening :: Parser Head
+opening :: Lines Head
 opening = line $ \word value -> case role <$> headKeyword word of
   Just OpensInScene -> True
   Just OpensInside -> True
@@ -92,43 +97,57 @@ opening = line $ \word value -> case role <$> headKeyword word of
   Nothing -> Text.null (valueText value)
 
 -- | sceneWord = a line whose word opens an object of the scene
-sceneWord :: Parser Head
+sceneWord :: Lines Head
 sceneWord = line $ \word _ -> (role <$> headKeyword word) == Just OpensInScene
 
 -- | endLine = a line whose word is @end@ or, alone on its line, one slip away from it
-endLine :: Parser Head
+endLine :: Lines Head
 endLine = line $ \word value -> case role <$> headKeyword word of
   Just Closes -> True
   Just _ -> False
   Nothing -> Text.null (valueText value) && any (isSlipOf (Text.toLower (headText word))) ["end", "fin"]
 
 -- | property = any other line
-property :: Parser Property
-property = uncurry Property <$> wordAndValue
+property :: Lines Property
+property = uncurry Property <$> says (const (const True))
 
--- | A whole line of which the word and the value pass the test; its word.
-line :: (Head -> Value -> Bool) -> Parser Head
-line test = try $ do
-  (word, value) <- wordAndValue
-  if test word value then pure word else empty
+-- | A comment that is never closed stays in the tree.
+openComment :: Lines Node
+openComment = token (\case NeverClosed place -> Just (OpenComment place); Says _ _ -> Nothing) mempty
+
+-- | A line whose word and value pass the test; its word.
+line :: (Head -> Value -> Bool) -> Lines Head
+line = fmap fst . says
+
+says :: (Head -> Value -> Bool) -> Lines (Head, Value)
+says test = token accept mempty
+  where
+    accept (Says word value) | test word value = Just (word, value)
+    accept _ = Nothing
+
+-- * Lines
+
+-- | The lines that say something; comments and empty lines are left out.
+speakingLines :: Parser [Line]
+speakingLines = catMaybes <$> many (Nothing <$ emptyLine <|> comment <|> Just <$> wordAndValue)
 
 -- | A line's first word, and its value: the rest, from the first character that is not blank.
-wordAndValue :: Parser (Head, Value)
+wordAndValue :: Parser Line
 wordAndValue = do
   blanks
   (wordSpan, word) <- spanned (takeWhile1P Nothing (\c -> not (isBlank c) && c /= '\n'))
   blanks
-  (valueSpan', value) <- spanned restOfLine
+  (restSpan, value) <- spanned restOfLine
   endOfLine
-  pure (Head wordSpan word (fromSpelling word), Value valueSpan' value)
+  pure (Says (Head wordSpan word (fromSpelling word)) (Value restSpan value))
 
--- | comment = line-comment \/ block-comment. A block that is never closed stays in the tree.
-comment :: Parser (Maybe Node)
+-- | comment = line-comment \/ block-comment
+comment :: Parser (Maybe Line)
 comment = blockComment <|> Nothing <$ lineComment
 
 -- | A block opens where the first word is exactly @\/*@, and closes at a line whose first word is exactly @*\/@; a @*\/@ on the
 -- opening line makes it a comment of that line only.
-blockComment :: Parser (Maybe Node)
+blockComment :: Parser (Maybe Line)
 blockComment = do
   place <- mark "/*"
   rest <- restOfLine <* endOfLine
@@ -136,7 +155,7 @@ blockComment = do
   where
     unfinished place =
       Nothing <$ (mark "*/" *> restOfLine *> endOfLine)
-        <|> Just (OpenComment place) <$ eof
+        <|> Just (NeverClosed place) <$ eof
         <|> restOfLine *> endOfLine *> unfinished place
     mark word = try $ do
       blanks

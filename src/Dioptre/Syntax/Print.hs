@@ -27,19 +27,18 @@ data Outline
     Group Keyword [Outline]
   deriving stock (Eq, Show)
 
--- | The text, ending in a line feed.
+-- | The text, ending in a line feed. Linear in its length.
 printOutline :: [Outline] -> Text
-printOutline = Text.unlines . concatMap (outline 0)
+printOutline items = Text.unlines (foldr (outline 0) [] items)
 
-outline :: Int -> Outline -> [Text]
-outline depth item = case item of
-  Remark words' -> ["/*", "   " <> words', "*/", ""]
-  Line word value -> [indent <> Text.justifyLeft (30 - 2 * depth) ' ' (spelling word <> " ") <> value]
+-- | The lines of one item, before those that follow.
+outline :: Int -> Outline -> [Text] -> [Text]
+outline depth item following = case item of
+  Remark words' -> "/*" : ("   " <> words') : "*/" : "" : following
+  Line word value -> (indent <> Text.justifyLeft (max 0 (30 - 2 * depth)) ' ' (spelling word <> " ") <> value) : following
   Group word inner ->
-    [indent <> spelling word]
-      <> concatMap (outline (depth + 1)) inner
-      <> [indent <> spelling End <> " #end " <> spelling word | depth > 0]
-      <> concat [[spelling End <> " #end " <> spelling word, ""] | depth == 0]
+    (indent <> spelling word) :
+    foldr (outline (depth + 1)) ((indent <> spelling End <> " #end " <> spelling word) : ["" | depth == 0] <> following) inner
   where
-    -- Beyond twenty levels nobody counts, and deep nesting stays linear.
-    indent = Text.replicate (min 20 depth) "  "
+    -- Beyond ten levels nobody counts, and deep nesting stays linear.
+    indent = Text.replicate (min 10 depth) "  "

@@ -37,9 +37,12 @@ isSlipOf a b = abs (Text.length a - Text.length b) <= 1 && apart a b == 1
 suggest :: [Text] -> Text -> Maybe Text
 suggest candidates word
   | Text.length word > 60 = Nothing
-  | otherwise = listToMaybe [c | (d, c) <- sortOn fst near, d <= max 1 (Text.length word `div` 3)]
+  | otherwise = listToMaybe [c | (d, c) <- sortOn fst near, d <= slips]
   where
-    near = [(apart (Text.toLower word) (Text.toLower c), c) | c <- take 300 candidates]
+    slips = max 1 (Text.length word `div` 3)
+    -- Words whose lengths differ by more are farther apart.
+    alike c = Text.compareLength c (Text.length word + slips) /= GT && Text.compareLength c (Text.length word - slips) /= LT
+    near = [(apart (Text.toLower word) (Text.toLower c), c) | c <- filter alike (take 300 candidates)]
 
 apart :: Text -> Text -> Int
 apart a b = restrictedDamerauLevenshteinDistance defaultEditCosts (Text.unpack a) (Text.unpack b)

@@ -75,11 +75,11 @@ data Head = Head
     headText :: Text,
     headKeyword :: Maybe Keyword
   }
-  deriving stock (Eq, Show)
+  deriving stock (Eq, Ord, Show)
 
 -- | The rest of a line, from its first character that is not blank; blanks at its end belong to it.
 data Value = Value
   { valueSpan :: Span,
     valueText :: Text
   }
-  deriving stock (Eq, Show)
+  deriving stock (Eq, Ord, Show)

@@ -74,7 +74,7 @@ isSeparator c = c `elem` (" \t\f,()[]<>" :: String)
 largestReal :: Double
 largestReal = 1e100
 
--- | Integers have 32 bits, as in the original.
+-- | Integers have 32 bits, as in the original: from -2147483648 to this.
 largestInteger :: Integer
 largestInteger = 2147483647
 
@@ -114,11 +114,11 @@ integer :: Text -> Either Refusal Int
 integer token = case runParser ((,) <$> sign <*> digits <* eof) "" token of
   Left _ -> Left (NotAnInteger token)
   Right (negative, ds)
-    | Text.length significant > 10 || magnitude > largestInteger -> Left (TooLarge token)
-    | otherwise -> Right (fromInteger (if negative then negate magnitude else magnitude))
+    | Text.length significant > 10 || value > largestInteger || value < negate largestInteger - 1 -> Left (TooLarge token)
+    | otherwise -> Right (fromInteger value)
     where
       significant = Text.dropWhile (== '0') ds
-      magnitude = natural significant
+      value = if negative then negate (natural significant) else natural significant
 
 sign :: Parser Bool
 sign = (== Just '-') <$> optional (char '+' <|> char '-')

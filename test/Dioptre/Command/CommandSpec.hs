@@ -32,7 +32,7 @@ import System.Directory (createDirectory, doesFileExist, listDirectory, withCurr
 import System.Exit (ExitCode (..))
 import System.IO (Handle, hClose, hFlush, hSetEncoding, openTempFile, stderr, stdout, utf8)
 import System.IO.Temp (withSystemTempDirectory)
-import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe, shouldSatisfy)
+import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe)
 import Prelude hiding (compare)
 
 spec :: Spec

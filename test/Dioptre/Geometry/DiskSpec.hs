@@ -33,7 +33,7 @@ spec = do
       annulusParameters (V3 2 0 0) alongX 5.000000000000001 9 (ray (V3 0 3 4) (V3 1 0 0)) `shouldBe` []
       annulusParameters (V3 2 0 0) alongX 1 9 (ray (V3 0 0 0) (V3 1 0 0)) `shouldBe` []
 
-  for_ [DiskSort, AnnulusSort] $ \sort -> modifyMaxSuccess (* 3) $
+  for_ [DiskSort, AnnulusSort] $ \sort -> modifyMaxSuccess (* 8) $
     describe ("as laws of " ++ show sort) $ do
       mapM_ (\(law, holds) -> prop law (forAllShrink (aimedAt sort) shrink holds)) lawsOfShapes
       prop "where nothing is rounded, nothing is left to rounding" $ forAll (crispAt sort) isExactWhereItCanBe

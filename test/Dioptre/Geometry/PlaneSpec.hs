@@ -27,7 +27,7 @@ spec = do
     prop "a ray along a plane misses it, and everything in it" raysAlongMiss
     prop "a ray exactly in a slanted plane misses it, and everything in it" (raysInSlantedPlanesMiss PlaneSort)
 
-  modifyMaxSuccess (* 3) $
+  modifyMaxSuccess (* 8) $
     describe "as laws" $ do
       mapM_ (\(law, holds) -> prop law (forAllShrink (aimedAt PlaneSort) shrink holds)) lawsOfShapes
       prop "where nothing is rounded, nothing is left to rounding" $ forAll (crispAt PlaneSort) isExactWhereItCanBe

@@ -14,7 +14,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  for_ [minBound .. maxBound] $ \sort -> modifyMaxSuccess (* 2) $
+  for_ [minBound .. maxBound] $ \sort -> modifyMaxSuccess (* 5) $
     describe ("of " ++ show sort) $ do
       prop "it is hit at the parameters of its rule, bit for bit" $ forAllShrink (aimedAt sort) shrink isAsPlain
       prop "the nearest hit is the first above 1e-8 and below the bound" $ forAllShrink (aimedAt sort) shrink nearestIsLeast

@@ -21,14 +21,14 @@ spec = do
     it "enters and leaves" $ sphereParameters (V3 5 0 0) 4 (ray 0 (V3 1 0 0)) `shouldBe` [3, 7]
     it "is also behind" $ sphereParameters (V3 5 0 0) 4 (ray (V3 6 0 0) (V3 2 0 0)) `shouldBe` [-1.5, 0.5]
     it "is touched by a tangent, twice" $ sphereParameters (V3 5 0 0) 4 (ray (V3 0 2 0) (V3 1 0 0)) `shouldBe` [5, 5]
-    -- 2 + 2^-51 is the next number after 2
-    it "is missed beside the tangent" $ sphereParameters (V3 5 0 0) 4 (ray (V3 0 2.0000000000000004 0) (V3 1 0 0)) `shouldBe` []
+    -- From beside the sphere, where the distance is not rounded away: 2 + 2^-51 is the next number after 2
+    it "is missed beside the tangent" $ sphereParameters (V3 5 0 0) 4 (ray (V3 5 2.0000000000000004 0) (V3 1 0 0)) `shouldBe` []
 
   describe "sphereNormal" $ do
     it "points from the centre" $ vector (sphereNormal (V3 1 1 1) (V3 1 4 (-3))) `shouldBe` V3 0 0.6 (-0.8)
     it "is the z axis at the centre" $ sphereNormal (V3 1 1 1) (V3 1 1 1) `shouldBe` alongZ
 
-  modifyMaxSuccess (* 3) $
+  modifyMaxSuccess (* 8) $
     describe "as laws" $ do
       mapM_ (\(law, holds) -> prop law (forAllShrink (aimedAt SphereSort) shrink holds)) lawsOfShapes
       prop "where nothing is rounded, nothing is left to rounding" $ forAll (crispAt SphereSort) isExactWhereItCanBe

@@ -19,7 +19,7 @@ spec = do
     it "has the normal from which its corners turn counter-clockwise" $
       fmap (vector . triangleNormal) (triangle (Corners 0 (V3 2 0 0) (V3 0 3 0))) `shouldBe` Just (V3 0 0 1)
     it "may be very flat" $ fmap (vector . triangleNormal) (triangle (Corners 0 (V3 1 0 0) (V3 1 1e-15 0))) `shouldBe` Just (V3 0 0 1)
-    it "may be very small" $ fmap (vector . triangleNormal) (triangle (Corners 0 (V3 1e-90 0 0) (V3 0 1e-90 0))) `shouldBe` Just (V3 0 0 1)
+    it "may be very small" $ fmap (vector . triangleNormal) (triangle (Corners 0 (V3 1e-60 0 0) (V3 0 1e-60 0))) `shouldBe` Just (V3 0 0 1)
     prop "corners on one line make none" collinearCornersAreRefused
 
   describe "smoothTriangle" $
@@ -38,13 +38,13 @@ spec = do
     it "counts along the two edges from the first corner" $
       [barycentric (V3 1 1 1) (V3 3 1 1) (V3 1 5 1) p | p <- [V3 1 1 1, V3 3 1 1, V3 1 5 1, V3 2 2 1]] `shouldBe` [(0, 0), (1, 0), (0, 1), (0.5, 0.25)]
 
-  for_ [TriangleSort, SmoothTriangleSort] $ \sort -> modifyMaxSuccess (* 3) $
+  for_ [TriangleSort, SmoothTriangleSort] $ \sort -> modifyMaxSuccess (* 8) $
     describe ("as laws of " ++ show sort) $ do
       mapM_ (\(law, holds) -> prop law (forAllShrink (aimedAt sort) shrink holds)) lawsOfShapes
       prop "where nothing is rounded, nothing is left to rounding" $ forAll (crispAt sort) isExactWhereItCanBe
       prop "ray and shape moved together meet at the same parameters" $ forAll (crispAt sort) movedTogether
   describe "as laws of triangles" $ do
-    modifyMaxSuccess (* 3) $ prop "the order of the corners does not matter" $ forAllShrink (aimedAt TriangleSort) shrink orderOfCornersDoesNotMatter
+    modifyMaxSuccess (* 8) $ prop "the order of the corners does not matter" $ forAllShrink (aimedAt TriangleSort) shrink orderOfCornersDoesNotMatter
     prop "barycentric coordinates are near the exact ones" $ forAllShrink (aimedAt TriangleSort) shrink barycentricIsNearExact
     prop "a ray exactly in its plane misses it" (raysInSlantedPlanesMiss TriangleSort)
 

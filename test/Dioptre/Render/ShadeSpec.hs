@@ -11,12 +11,13 @@ import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
+import qualified Data.Vector.Storable as Storable
 import Dioptre.Geometry.Ray (Ray, ray)
 import Dioptre.Light.Colour
 import Dioptre.Light.Light (Lamp (..), Light (..))
 import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector
-import Dioptre.Picture (Picture)
+import Dioptre.Picture (Picture, picture)
 import Dioptre.Render (Tally (..), renderWith, rendered)
 import Dioptre.Render.Row (Plan, Sampled (..), colourAt, plan)
 import Dioptre.Render.Shade
@@ -33,6 +34,7 @@ spec = do
   describe "lights, at every pixel" pixels
   describe "mirrors" mirrors
   describe "transparent bodies" bodies
+  describe "pictures on surfaces" textures
   describe "the budget of rays" budget
   describe "pictures" pictures
   describe "the laws of shading" laws
@@ -54,7 +56,10 @@ chalk = ["ka 0", "kd 1", "ks 0"]
 
 -- | A shape with a material that says this.
 thing :: Text -> [Text] -> [Text] -> [Text]
-thing name shape properties = ["material", "name " <> name] ++ properties ++ ["end", "primitive", "material_name " <> name] ++ shape ++ ["end"]
+thing = thing' "material"
+
+thing' :: Text -> Text -> [Text] -> [Text] -> [Text]
+thing' word name shape properties = [word, "name " <> name] ++ properties ++ ["end", "primitive", "material_name " <> name] ++ shape ++ ["end"]
 
 tracer :: [Text] -> [Text]
 tracer properties = ["raytracer"] ++ properties ++ ["end"]
@@ -356,6 +361,38 @@ bodies = do
   where
     clear = ["ka 0", "kd 0", "ks 0", "kt 1"]
     behind level body = tracer ["recursive_level " <> shown (level :: Int)] ++ ["ambient_light", "end"] ++ floorOf ["ka 1"] ++ body
+
+-------------------------------------------------------------------------------
+-- Pictures on surfaces
+
+-- | A floor with a picture of three by three pixels, of which one unit square shows all: at (x, -y), in units, is the pixel at trunc (2 x), trunc (2 y). The one in the
+-- middle is magenta.
+textures :: Spec
+textures = do
+  it "stand in for the diffuse colour, kd and colour left out, where there is no light" $ do
+    at (tracer ["reflexion_algorithm no_light"] ++ carpet ["texture_kd rug.png"]) 0.75 0.75 `shouldBe` magenta
+    [at (tracer ["reflexion_algorithm no_light"] ++ carpet ["texture_kd rug.png"]) x y | (x, y) <- [(0.25, 0.75), (0.75, 0.25), (1, 0.75), (1.75, -1.25)]] `shouldBe` [nothing, nothing, nothing, magenta]
+  for_ [("ka", "ambient"), ("kd", "diffuse"), ("ks", "blinn_specular"), ("ks", "phong_specular")] $ \(term, algorithm) ->
+    it ("stand in for the colour of one term, its coefficient left out: " <> Text.unpack (term <> ", " <> algorithm)) $
+      at (tracer ["reflexion_algorithm " <> algorithm] ++ carpet ["texture_" <> term <> " rug.png"] ++ light) 0.75 0.75 `shouldBe` rgb 0.5 0 0.25
+  for_ [("ka", "ambient"), ("kd", "diffuse"), ("ks", "blinn_specular"), ("ks", "phong_specular")] $ \(term, algorithm) ->
+    it ("leave the other terms alone: " <> Text.unpack (algorithm <> " without texture_" <> term)) $
+      at (tracer ["reflexion_algorithm " <> algorithm] ++ carpet ["texture_" <> other <> " rug.png" | other <- ["ka", "kd", "ks"], other /= term] ++ light) 0.75 0.75 `shouldBe` rgb 0 0.125 0.0625
+  it "leave the shininess alone" $
+    -- Light and viewer 3-4-5 from the normal on one side: Blinn's cosine is 4/5, and its square
+    abs (red (seeing (tracer ["reflexion_algorithm blinn_specular"] ++ carpet ["texture_ks rug.png", "shininess 2"] ++ ["point_light", "position 3.75 -0.75 4", "end"]) (ray (V3 3.75 (-0.75) 4) (V3 (-0.6) 0 (-0.8)))) - 0.64) `shouldSatisfy` (< 1e-15)
+  it "do not tint what passes through, which the colour does" $
+    seeing (floorOf chalk ++ lampAt 4 [] ++ thing' "texture_material" "pane" ["disk", "position 0 0 2", "ray 0.5", "end"] ["color 1 0.5 0.25", "kt 0.5", "texture_kd rug.png", "texture_ka rug.png", "texture_ks rug.png"]) slanting
+      `shouldBe` rgb 0.5 0.25 0.125
+  it "are not asked for if they are not there" $
+    at (tracer ["reflexion_algorithm no_light"] ++ carpet ["texture_kd lost.png"]) 0.75 0.75 `shouldBe` rgb 0 0.25 0.25
+  where
+    seeing text = seenColour . seenWith (Map.singleton "rug.png" rug) (sceneOf text)
+    at text x y = seeing text (ray (V3 x (negate y) 4) (V3 0 0 (-1)))
+    carpet more = thing' "texture_material" "carpet" ["plane", "end"] (["color 0 1 1", "ka 0.25", "kd 0.25", "ks 0.25"] ++ more)
+    light = ["ambient_light", "color 0.5 0.5 0.25", "end", "directional_light", "color 0.5 0.5 0.25", "orientation 0 0 -1", "end"]
+    magenta = rgb 1 0 1
+    rug = picture 3 (Storable.fromList (concat [if i == 4 then [255, 0, 255, 9] else [0, 0, 0, 255] | i <- [0 .. 8 :: Int]]))
 
 -------------------------------------------------------------------------------
 -- The budget

@@ -25,7 +25,7 @@ module Laws.Aim
   )
 where
 
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust)
 import Dioptre.Geometry.Cube (cube, cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (annulus, annulusInner, annulusOuter, annulusPlane, disk, diskPlane, diskRadius)
 import Dioptre.Geometry.Plane (Plane, plane, planeNormal, planePosition)
@@ -202,7 +202,7 @@ rayAt kind shape = do
       _ -> pure (0, V3 1 0 0)
     edgeOnly x = if abs x == 1 then x else 0
     side = oneof [elements [-1, 1], pure 0, (\f -> 2 * f - 1) <$> fraction]
-    unitOf v = maybe alongX id (unit v)
+    unitOf v = fromMaybe alongX (unit v)
     onPlane :: Plane -> [Double] -> Gen (Point, Vector)
     onPlane p radii = do
       v <- (cross (planeNormal p) <$> step Full) `suchThat` (/= 0)
@@ -242,7 +242,7 @@ carried onPoint onVector onLength shape = case shape of
 
 -- | The shape as the inner loop sees it. All sorts of 'Sort' can be prepared.
 preparedOf :: Shape -> Prepared
-preparedOf shape = maybe (error ("not prepared: " ++ show shape)) id (prepare shape)
+preparedOf shape = fromMaybe (error ("not prepared: " ++ show shape)) (prepare shape)
 
 -- | What the rays must do.
 aimCorners :: Aimed -> [(String, Bool)]

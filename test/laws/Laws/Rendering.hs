@@ -13,6 +13,7 @@ module Laws.Rendering
 where
 
 import Data.IORef (atomicModifyIORef', newIORef, readIORef)
+import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 import Dioptre.Light.Colour (Colour (..))
@@ -69,7 +70,7 @@ windowsAreParts unlit = forAll (lit unlit) $ \s -> forAll (part s) $ \(x, y, w, 
 -- | A window has pixels and lies in the picture, or there is none.
 windowsLieInThePicture :: Sketch -> Property
 windowsLieInThePicture s = forAll ((,,,) <$> some <*> some <*> some <*> some) $ \(x, y, w, h) ->
-  maybe False (const True) (window port x y w h) === and [x >= 0, y >= 0, w >= 1, h >= 1, toInteger x + toInteger w <= width, toInteger y + toInteger h <= height]
+  isJust (window port x y w h) === and [x >= 0, y >= 0, w >= 1, h >= 1, toInteger x + toInteger w <= width, toInteger y + toInteger h <= height]
   where
     port = sceneViewport (sketchScene s)
     width = toInteger (viewportWidth port)

@@ -10,6 +10,7 @@ module Laws.Shade
   ( -- * Scenes
     sceneOf,
     seen,
+    seenWith,
     channels,
     within,
     setLights,
@@ -71,6 +72,7 @@ import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Shade (Passage (..), Seen (..), look, mostRays, passage, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
+import Dioptre.Render.Texture (Assets)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), cameraSettings)
 import Dioptre.Scene.Check (checkScene)
@@ -94,11 +96,15 @@ sceneOf text = case filter ((== Error) . severity . diagnosticProblem) said of
 
 -- | What a ray sees in a scene without pictures.
 seen :: Scene -> Ray -> Seen
-seen scene r = case stageTerms s of
+seen = seenWith Map.empty
+
+-- | What a ray sees in a scene with these pictures.
+seenWith :: Assets -> Scene -> Ray -> Seen
+seenWith assets scene r = case stageTerms s of
   Just terms -> look s terms far r
   Nothing -> Seen (unlit s far r) 1 False
   where
-    s = stage Map.empty scene
+    s = stage assets scene
     far = farOf scene
 
 farOf :: Scene -> Double
@@ -107,9 +113,10 @@ farOf = settingFar . cameraSettings . sceneCamera
 channels :: Colour -> [Double]
 channels (Colour r g b _) = [r, g, b]
 
--- | Each number within a bound, relative to the second one's, of another. No number is negative, so that sums lose nothing.
+-- | Each number within a bound, relative to the second one's, of another. No number is negative, so that sums lose nothing; but the power of 200 in a highlight may
+-- be so small that digits are lost, of numbers below 1e-300.
 within :: Double -> [Double] -> [Double] -> Property
-within bound xs ys = counterexample (show xs <> " is not " <> show ys) (length xs == length ys && and (zipWith (\x y -> abs (x - y) <= bound * y) xs ys))
+within bound xs ys = counterexample (show xs <> " is not " <> show ys) (length xs == length ys && and (zipWith (\x y -> abs (x - y) <= bound * y + 1e-300) xs ys))
 
 setLights :: [Light] -> Scene -> Scene
 setLights ls scene = scene {sceneLights = ls}
@@ -254,7 +261,7 @@ instance Arbitrary Small where
               (1, ADisk <$$> ((\p r -> p >>= (`disk` r)) . plane at <$> towards <*> size)),
               (1, ATriangle <$$> (triangle <$> (Corners <$> ((at +) <$> place) <*> ((at -) <$> place) <*> place)))
             ]
-        make <$$> shapes = shapes >>= maybe discard (pure . make)
+        make <$$> shapes = make <$> (shapes `suchThatMap` id)
         lamp = Lamp <$> colour <*> place <*> elements [1, 0, 3] <*> elements [(1, 0, 0), (0, 0, 1), (0.5, 0.25, 0.125), (0, 0, 0)]
         wave = Wave <$> choose (380, 780) <*> elements [1, 2, 10] <*> chooseInt (0, 3)
         light =
@@ -383,7 +390,7 @@ interferes l = case l of
 
 -- | Lights twice as bright give a colour twice as bright, exactly. (No light of these is so weak that it counts as none only once.)
 twiceTheLightIsTwiceTheColour :: Small -> Property
-twiceTheLightIsTwiceTheColour (Small scene r) = colourOf (setLights (map twice (sceneLights scene)) scene) r === map (* 2) (colourOf scene r)
+twiceTheLightIsTwiceTheColour (Small scene r) = within 0 (colourOf (setLights (map twice (sceneLights scene)) scene) r) (map (* 2) (colourOf scene r))
   where
     twice l = case l of
       Ambient c -> Ambient (bright c)
@@ -446,7 +453,7 @@ mirrorShowsWhatItFaces = throughAMirror 1 $ \shown faced -> shown === faced
 
 -- | A mirror with kr = 1\/4 shows a quarter of it, exactly.
 mirrorIsWeighted :: Small -> Property
-mirrorIsWeighted = throughAMirror 0.25 $ \shown faced -> shown === map (/ 4) faced
+mirrorIsWeighted = throughAMirror 0.25 $ \shown faced -> within 0 shown (map (/ 4) faced)
 
 -- | Puts a black mirror below the scene, and looks into it so that the reflected ray goes where the ray came from. (Waves are seen on black surfaces too, and left
 -- out.)

@@ -76,7 +76,7 @@ instance Arbitrary Any where
   arbitrary = Any <$> oneof [anyVector, anyVector, bent]
     where
       bent = V3 <$> near 1 <*> near 2 <*> near 3
-      near x = (\n -> nudged n x) <$> chooseInt (0, 3)
+      near x = (`nudged` x) <$> chooseInt (0, 3)
   shrink (Any (V3 x y z)) = [Any v | v <- [V3 0 y z, V3 x 0 z, V3 x y 0], v /= V3 x y z]
 
 -- | A vector of any size that a double can have, with components of very different sizes, except the zero vector.
