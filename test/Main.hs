@@ -41,6 +41,7 @@ import qualified Dioptre.Optics.ReflectionSpec
 import qualified Dioptre.Optics.RefractionSpec
 import qualified Dioptre.Picture.ByteSpec
 import qualified Dioptre.Picture.PngSpec
+import qualified Dioptre.Picture.TextureFileSpec
 import qualified Dioptre.PictureSpec
 import qualified Dioptre.Render.RowSpec
 import qualified Dioptre.Render.SamplingSpec
@@ -120,10 +121,10 @@ specs = do
   describe "Dioptre.Math.Vector" Dioptre.Math.VectorSpec.spec
   describe "Dioptre.Optics.Reflection" Dioptre.Optics.ReflectionSpec.spec
   describe "Dioptre.Optics.Refraction" Dioptre.Optics.RefractionSpec.spec
-  describe "Dioptre.Picture" Dioptre.PictureSpec.spec
   describe "Dioptre.Picture.Byte" Dioptre.Picture.ByteSpec.spec
   describe "Dioptre.Picture.Png" Dioptre.Picture.PngSpec.spec
-  describe "Dioptre.Render" Dioptre.RenderSpec.spec
+  describe "Dioptre.Picture.TextureFile" Dioptre.Picture.TextureFileSpec.spec
+  describe "Dioptre.Picture" Dioptre.PictureSpec.spec
   describe "Dioptre.Render.Row" Dioptre.Render.RowSpec.spec
   describe "Dioptre.Render.Sampling" Dioptre.Render.SamplingSpec.spec
   describe "Dioptre.Render.Shade" Dioptre.Render.ShadeSpec.spec
@@ -131,7 +132,7 @@ specs = do
   describe "Dioptre.Render.Texture" Dioptre.Render.TextureSpec.spec
   describe "Dioptre.Render.View" Dioptre.Render.ViewSpec.spec
   describe "Dioptre.Render.World" Dioptre.Render.WorldSpec.spec
-  describe "Dioptre.Scene" Dioptre.SceneSpec.spec
+  describe "Dioptre.Render" Dioptre.RenderSpec.spec
   describe "Dioptre.Scene.Camera" Dioptre.Scene.CameraSpec.spec
   describe "Dioptre.Scene.Check" Dioptre.Scene.CheckSpec.spec
   describe "Dioptre.Scene.Configuration" Dioptre.Scene.ConfigurationSpec.spec
@@ -140,6 +141,7 @@ specs = do
   describe "Dioptre.Scene.Materials" Dioptre.Scene.MaterialsSpec.spec
   describe "Dioptre.Scene.Raytracer" Dioptre.Scene.RaytracerSpec.spec
   describe "Dioptre.Scene.Shapes" Dioptre.Scene.ShapesSpec.spec
+  describe "Dioptre.Scene" Dioptre.SceneSpec.spec
   describe "Dioptre.Source.Language" Dioptre.Source.LanguageSpec.spec
   describe "Dioptre.Source.Message" Dioptre.Source.MessageSpec.spec
   describe "Dioptre.Source.Report" Dioptre.Source.ReportSpec.spec

@@ -50,6 +50,7 @@ fromDynamic dynamic
 decodeTexture :: FilePath -> ByteString -> Either Text Picture
 decodeTexture path bytes
   | map toLower (takeExtension path) /= ".tga" = decode bytes
+  | isCutOff = Left (Text.pack "the file is cut off")
   | otherwise = case decodeTga bytes of
     Left complaint -> Left (Text.pack complaint)
     Right dynamic -> storedOrder <$> fromDynamic dynamic
@@ -57,6 +58,10 @@ decodeTexture path bytes
     storedOrder p
       | Bytes.length bytes > 17 && not (testBit (Bytes.index bytes 17) 5) = turned p
       | otherwise = p
+    -- JuicyPixels fills up what is missing with black. What has no run lengths (kinds 1 to 3) has a known size: header, name, palette, pixels.
+    isCutOff = Bytes.length bytes < 18 || (byte 2 <= 3 && Bytes.length bytes < 18 + byte 0 + word 5 * ((byte 7 + 7) `div` 8) + word 12 * word 14 * ((byte 16 + 7) `div` 8))
+    byte i = fromIntegral (Bytes.index bytes i) :: Int
+    word i = byte i + 256 * byte (i + 1)
     turned p =
       let row y = Storable.slice (4 * pictureWidth p * y) (4 * pictureWidth p) (pictureBytes p)
        in picture (pictureWidth p) (Storable.concat (map row [pictureHeight p - 1, pictureHeight p - 2 .. 0]))
