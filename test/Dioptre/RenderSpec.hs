@@ -17,7 +17,8 @@ import Test.Hspec.QuickCheck (prop)
 
 spec :: Spec
 spec = do
-  -- The camera is at the origin and looks along x, 45 degrees to each side: the near plane's edge at z = 1 is 24 pixels from the middle.
+  -- The camera is at the origin and looks along x, 45 degrees to each side: the near plane's edge at z = 1 is 24
+  -- pixels from the middle.
   describe "a picture of 64 x 48 pixels, through their centres" $ do
     -- A radius of 2.5 at a distance of 5 is 1/2, 12 pixels. (No point of half integers is at a distance of 12 exactly.)
     it "shows a disk as a disk" $
@@ -30,8 +31,9 @@ spec = do
     -- The front face is at x = 4, and its edge at 1: 6 pixels. It hides the rest.
     it "shows a cube by its front face" $
       seen ["cube", "position 5 0 0", "size 2", "end"] `shouldBe` [abs x < 6 && abs y < 6 | (x, y) <- centres]
-    -- The ground 1 below: z = -1 is seen below the horizon, no farther than 10.5 from where the ray leaves the near plane. There x = 1, the direction is (1, -X, -Y) / 24 pixels,
-    -- made unit, and the ray goes on by (24 / Y - 1) times the length of (1, X/24, Y/24)
+    -- The ground 1 below: z = -1 is seen below the horizon, no farther than 10.5 from where the ray leaves the near
+    -- plane. There x = 1, the direction is (1, -X, -Y) / 24 pixels, made unit, and the ray goes on by (24 / Y - 1)
+    -- times the length of (1, X/24, Y/24)
     it "shows a plane up to the far clipping plane" $
       seen ["plane", "position 0 0 -1", "normal 0 0 1", "end"]
         `shouldBe` [y > 0 && (24 / y - 1) * sqrt (1 + (x * x + y * y) / 576) < 10.5 | (x, y) <- centres]

@@ -13,7 +13,7 @@ module Dioptre.Command.Load
   )
 where
 
-import Control.Exception (ErrorCall, evaluate, try)
+import Control.Exception (SomeAsyncException (..), SomeException, evaluate, fromException, tryJust)
 import Control.Monad (forM, (<=<))
 import Data.Bifunctor (first)
 import Data.Char (toLower)
@@ -92,13 +92,15 @@ loadTexture l folder name =
       readWhole path >>= \case
         Left fault -> pure (Left (Unreadable (fileFault l fault)))
         -- The decoder is not ours: what it throws on a broken file is its complaint.
-        Right b -> either (Left . Unreadable . Text.pack . takeWhile (/= '\n') . thrown) (first Unreadable) <$> try (evaluate (decodeTexture path b))
+        Right b -> either (Left . Unreadable) (first Unreadable) <$> tryJust thrown (evaluate (decodeTexture path b))
   where
     folderOf place = case place of
       Within f -> f
       Below f -> f </> "..."
-    thrown :: ErrorCall -> String
-    thrown = show
+    thrown :: SomeException -> Maybe Text
+    thrown e = case fromException e of
+      Just (SomeAsyncException _) -> Nothing
+      Nothing -> Just (Text.pack (takeWhile (/= '\n') (show e)))
 
 -- | The picture in the file at a path, or why there is none, in words.
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)

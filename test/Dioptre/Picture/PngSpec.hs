@@ -17,7 +17,8 @@ spec = do
     prop "writes 8 bits a channel, red, green, blue and alpha" isWrittenAsRgba
 
   describe "decode" $ do
-    -- Two pixels, (1, 2, 3) and (250, 251, 252), of colour type 2, written with Python's struct and zlib from the PNG specification
+    -- Two pixels, (1, 2, 3) and (250, 251, 252), of colour type 2, written with Python's struct and zlib from the PNG
+    -- specification
     it "reads a file without alpha as opaque" $
       decode (Bytes.pack (signature ++ header ++ body ++ end)) `shouldBe` Right (picture 2 (Storable.fromList [1, 2, 3, 255, 250, 251, 252, 255]))
     it "complains about what is no picture" $ map (isLeft . decode) [Bytes.empty, Bytes.pack [1 .. 100], Bytes.pack (signature ++ header)] `shouldBe` [True, True, True]

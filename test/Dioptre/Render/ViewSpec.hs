@@ -13,7 +13,8 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 
 spec :: Spec
 spec = do
-  -- Camera at the origin, looking along x, z up, 60 degrees, near 1: the picture's edges are tan 30 = 1/sqrt 3 away from its middle.
+  -- Camera at the origin, looking along x, z up, 60 degrees, near 1: the picture's edges are tan 30 = 1/sqrt 3 away
+  -- from its middle.
   describe "the view of 4 x 4 pixels" $ do
     it "has its corner where the original has it" $ at 4 4 0 0 `shouldBe` Just (V3 1 0.5773502691896257 0.5773502691896257)
     it "has its middle between pixels" $ at 4 4 2 2 `shouldBe` Just (V3 1 0 0)

@@ -3,7 +3,8 @@
 
 -- | The closest hit: the laws, and the cost.
 --
--- Optimised, whatever the rest of the tests is, since one of the examples measures what the optimiser leaves to allocate.
+-- Optimised, whatever the rest of the tests is, since one of the examples measures what the optimiser leaves to
+-- allocate.
 module Dioptre.Render.WorldSpec (spec) where
 
 import Control.Exception (evaluate)
@@ -41,7 +42,8 @@ spec = do
       it "is tried with ties and misses" $
         checkCoverage $ \among -> foldr (\(name, holds) -> cover 5 holds name) (property True) (amongCorners among)
 
-  -- What a ray and its answer cost is measured in a world of nothing. A list of one parameter takes 40 bytes (three words for the cell, two for the number).
+  -- What a ray and its answer cost is measured in a world of nothing. A list of one parameter takes 40 bytes (three
+  -- words for the cell, two for the number).
   describe "closest, among a hundred shapes" $ do
     it "makes no lists: it allocates nothing" $ bytesPerRay (worldOf (concatMap ofMakers [spheres, planes, disks, triangles, annuli])) >>= (`shouldSatisfy` (< 100))
     it "makes no lists of cubes: one number each, at most" $ bytesPerRay (worldOf (concat (replicate 5 (ofMakers cubes)))) >>= (`shouldSatisfy` (<= 100 * 16))

@@ -2,8 +2,9 @@
 -- Module      : Laws.Aim
 -- Description : Shapes, and rays that are aimed at them
 --
--- A ray that is drawn at random misses most shapes, and never meets an edge. These rays are aimed: at points inside, at corners, edges, rims
--- and centres; along axes, along faces, in tangents; from before, behind, within and upon the shape.
+-- A ray that is drawn at random misses most shapes, and never meets an edge. These rays are aimed: at points inside,
+-- at corners, edges, rims and centres; along axes, along faces, in tangents; from before, behind, within and upon the
+-- shape.
 module Laws.Aim
   ( Aimed (..),
     Crisp (..),
@@ -68,8 +69,8 @@ instance Arbitrary Aimed where
       rounded (V3 x y z) = [V3 (whole x) y z, V3 x (whole y) z, V3 x y (whole z)]
       whole x = fromInteger (truncate x)
 
--- | A shape and a ray made of such small integers, halves and powers of two that all that matters is computed without rounding. Flat shapes
--- other than triangles are parallel to two axes.
+-- | A shape and a ray made of such small integers, halves and powers of two that all that matters is computed without
+-- rounding. Flat shapes other than triangles are parallel to two axes.
 data Crisp = Crisp Shape Ray
   deriving (Eq, Show)
 

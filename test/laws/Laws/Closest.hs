@@ -35,7 +35,8 @@ import Laws.Aim
 import Laws.Draw
 import Test.QuickCheck
 
--- | Several shapes and a ray that is aimed at one of them. Some shapes are there twice, some touch, some are around others.
+-- | Several shapes and a ray that is aimed at one of them. Some shapes are there twice, some touch, some are around
+-- others.
 data Among = Among [Shape] Ray
   deriving (Eq, Show)
 
@@ -89,7 +90,8 @@ firstOf hits = case hits of
   [] -> Nowhere
   (t, i) : _ -> At t i
 
--- | The parameter of the closest hit does not depend on the order of the shapes, nor does the shape, if only one is met there.
+-- | The parameter of the closest hit does not depend on the order of the shapes, nor does the shape, if only one is
+-- met there.
 doesNotDependOnOrder :: Among -> Property
 doesNotDependOnOrder (Among shapes r) = forAll (shuffle (zip [0 ..] shapes)) $ \shuffled ->
   case (closest (worldOf shapes) r (1 / 0), closest (worldOf (map snd shuffled)) r (1 / 0)) of
@@ -113,8 +115,8 @@ staysBelowTheBound (Among shapes r) = case closest w r (1 / 0) of
     w = worldOf shapes
     ahead t = t > 1e-8
 
--- | Nothing is met at 1e-8 or before, and so nothing behind the origin and not the surface on which the ray starts: a plane across the x axis at x = t is met at t by
--- the ray along the axis, if t is greater than 1e-8.
+-- | Nothing is met at 1e-8 or before, and so nothing behind the origin and not the surface on which the ray starts: a
+-- plane across the x axis at x = t is met at t by the ray along the axis, if t is greater than 1e-8.
 doesNotSeeBehind :: Among -> Property
 doesNotSeeBehind (Among shapes r) =
   conjoin

@@ -2,8 +2,9 @@
 -- Module      : Laws.Draw
 -- Description : Numbers and vectors that put geometry to the test
 --
--- Three kinds of numbers: small integers and their halves, with which almost everything is computed exactly and rays meet edges, rims and
--- corners for certain; numbers with all their digits; and numbers of many sizes. Zeros are frequent in all of them.
+-- Three kinds of numbers: small integers and their halves, with which almost everything is computed exactly and rays
+-- meet edges, rims and corners for certain; numbers with all their digits; and numbers of many sizes. Zeros are
+-- frequent in all of them.
 module Laws.Draw
   ( -- * Numbers
     Kind (..),

@@ -2,10 +2,11 @@
 -- Module      : Laws.Exact
 -- Description : Vectors of rational numbers, which have no rounding
 --
--- A double is a rational number. What a shape's equation makes of doubles is therefore known exactly, and so is how far a
--- computed number is from it. Every bound of the laws is counted in 'eps', the largest relative error of one rounding, by the usual
--- rule: n roundings in a row change a number by a factor of at most 1 +- 'gamma' n (N. Higham, "Accuracy and Stability of
--- Numerical Algorithms", lemma 3.1). It holds as long as nothing overflows or underflows; the generators keep far away from there.
+-- A double is a rational number. What a shape's equation makes of doubles is therefore known exactly, and so is how
+-- far a computed number is from it. Every bound of the laws is counted in 'eps', the largest relative error of one
+-- rounding, by the usual rule: n roundings in a row change a number by a factor of at most 1 +- 'gamma' n (N. Higham,
+-- "Accuracy and Stability of Numerical Algorithms", lemma 3.1). It holds as long as nothing overflows or underflows;
+-- the generators keep far away from there.
 module Laws.Exact
   ( -- * Rounding
     eps,
@@ -66,7 +67,8 @@ outer (V3 a b c) (V3 x y z) = V3 (b * z - c * y) (c * x - a * z) (a * y - b * x)
 squared :: Exact -> Rational
 squared v = inner v v
 
--- | The components' magnitudes. @inner (magnitudes a) (magnitudes b)@ is what the rounding errors of a product count by.
+-- | The components' magnitudes. @inner (magnitudes a) (magnitudes b)@ is what the rounding errors of a product count
+-- by.
 magnitudes :: Exact -> Exact
 magnitudes = fmap abs
 
@@ -85,7 +87,8 @@ outerMagnitudes a b = V3 (ay * bz + az * by) (az * bx + ax * bz) (ax * by + ay *
 components :: V3 a -> [a]
 components (V3 x y z) = [x, y, z]
 
--- | A number not above the square root, and one not below it, 2^-150 of it apart: enough for errors to be measured in 2^-53.
+-- | A number not above the square root, and one not below it, 2^-150 of it apart: enough for errors to be measured in
+-- 2^-53.
 rootBelow, rootAbove :: Rational -> Rational
 rootBelow = fst . rootBetween
 rootAbove = snd . rootBetween

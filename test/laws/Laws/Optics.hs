@@ -72,6 +72,7 @@ incidenceCorners (Incidence v n n1 n2) =
     ("exactly grazing", c == 0),
     ("nearly grazing", c > 0 && c < 1e-6),
     ("within rounding of the critical angle", n1 > n2 && abs (c * c + q * q - 1) < 1e-14),
+    ("close to the critical angle", n1 > n2 && abs (c * c + q * q - 1) > 1e-14 && abs (c * c + q * q - 1) < 1e-4),
     ("total reflection", c * c + q * q < 1 - 1e-14),
     ("into a denser medium", n2 > n1),
     ("equal indices", n1 == n2),
@@ -111,7 +112,7 @@ turned n1 n2 = (anyKind >>= \kind -> attempt <$> step kind <*> step kind <*> inc
     sineAndCosine x = (sin x, cos x)
     grazing = (\e -> (1, 2 ** e)) <$> choose (-60, -8)
     almostUpright = (\e -> (2 ** e, 1)) <$> choose (-60, -8)
-    critical = (\k -> let s = nudged k (n2 / n1) in (s, sqrt (max 0 ((1 - s) * (1 + s))))) <$> chooseInt (-3, 3)
+    critical = (\k -> let s = k (n2 / n1) in (s, sqrt (max 0 ((1 - s) * (1 + s))))) <$> oneof [nudged <$> chooseInt (-3, 3), (\sign e s -> s * (1 + sign * 2 ** e)) <$> elements [1, -1] <*> choose (-50, -8)]
 
 made :: Vector -> Unit
 made = fromMaybe alongX . unit

@@ -39,7 +39,8 @@ import Test.QuickCheck
 -------------------------------------------------------------------------------
 -- Bytes
 
--- | An amount of light: anything, and above all what lies next to where one level becomes another, in binary32 and in binary64.
+-- | An amount of light: anything, and above all what lies next to where one level becomes another, in binary32 and in
+-- binary64.
 newtype Channel = Channel Double
   deriving (Eq, Show)
 
@@ -61,8 +62,8 @@ instance Arbitrary Channel where
         -- 2^28 doubles are half the distance between two binary32 numbers.
         pure (nudged ulps (float2Double (castWord32ToFloat (castFloatToWord32 float + fromIntegral steps))))
 
--- | The level of a channel from 0 to 1 is its nearest binary32, times 255, to the nearest binary32 again, plus 1\/2, rounded down; a channel below 0 gives 0, and
--- one above 1 gives 255.
+-- | The level of a channel from 0 to 1 is its nearest binary32, times 255, to the nearest binary32 again, plus 1\/2,
+-- rounded down; a channel below 0 gives 0, and one above 1 gives 255.
 --
 -- The second opinion rounds rational numbers, to even where two are as near.
 levelIsExact :: Channel -> Property
@@ -73,7 +74,8 @@ levelIsExact (Channel c) = level c === expected
       | c > 1 = 255
       | otherwise = fromInteger (floor (single (255 * single (toRational c)) + 1 / 2))
 
--- | The nearest binary32 of a number that is at least 0 and far from the largest; of two that are as near, the even one ('round' does that).
+-- | The nearest binary32 of a number that is at least 0 and far from the largest; of two that are as near, the even
+-- one ('round' does that).
 single :: Rational -> Rational
 single x
   | x == 0 = 0
@@ -103,7 +105,8 @@ clampKeepsTheRest :: Property
 clampKeepsTheRest = forAll anyColour $ \c@(Colour r g b a) ->
   counterexample (show c) $ normalized ClampChannel c === Colour (min 1 r) (min 1 g) (min 1 b) (min 1 a)
 
--- | Dividing by the largest channel makes that one 1 and keeps the ratios, each channel rounded once; it changes nothing if no channel is above 1. Alpha is cut.
+-- | Dividing by the largest channel makes that one 1 and keeps the ratios, each channel rounded once; it changes
+-- nothing if no channel is above 1. Alpha is cut.
 divisionKeepsRatios :: Property
 divisionKeepsRatios = forAll anyColour $ \(Colour r g b a) ->
   let Colour r' g' b' a' = normalized DivisionFactor (Colour r g b a)
@@ -135,8 +138,9 @@ instance Arbitrary Drawn where
 decodesToItself :: Drawn -> Property
 decodesToItself (Drawn p) = decode (Lazy.toStrict (encode p)) === Right p
 
--- | A PNG begins with its signature and a header (IHDR, 13 bytes): width and height, 8 bits a channel, colour type 6 (red, green, blue, alpha), compression, filter
--- and interlace methods 0. Its last chunk is an empty IEND. Source: the PNG specification, sections 5.2 and 11.2.
+-- | A PNG begins with its signature and a header (IHDR, 13 bytes): width and height, 8 bits a channel, colour type 6
+-- (red, green, blue, alpha), compression, filter and interlace methods 0. Its last chunk is an empty IEND. Source:
+-- the PNG specification, sections 5.2 and 11.2.
 isWrittenAsRgba :: Drawn -> Property
 isWrittenAsRgba (Drawn p) = Bytes.take 29 file === expected .&&. Bytes.take 8 (Bytes.drop (Bytes.length file - 12) file) === Bytes.pack ([0, 0, 0, 0] ++ ascii "IEND")
   where

@@ -95,9 +95,11 @@ lit s = (\b -> s {sketchIsLit = b}) <$> arbitrary
 bytes :: Pixel -> [Word8]
 bytes (Pixel r g b a) = [r, g, b, a]
 
--- | The colour of a pixel is the mean of what the second ray tracer sees through the points of its samples, wherever that is certain; and opaque.
+-- | The colour of a pixel is the mean of what the second ray tracer sees through the points of its samples, wherever
+-- that is certain; and opaque.
 --
--- A sample's colour is a product of two numbers, and a mean of n of them is a sum and a product with 1 \/ n: n + 2 roundings.
+-- A sample's colour is a product of two numbers, and a mean of n of them is a sum and a product with 1 \/ n: n + 2
+-- roundings.
 coloursAreBruteForce :: Sketch -> Property
 coloursAreBruteForce s =
   cover 50 (certain >= 9 * length pixels `div` 10) "nearly all pixels certain" $

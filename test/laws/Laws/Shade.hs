@@ -441,7 +441,8 @@ noLightIsDiffuse (Small scene' r) = seen scene r === Seen expected 1 False
     met = sortOn fst [(t, p) | p <- scenePrimitives scene, Just shape <- [prepare (primitiveShape p)], t <- take 1 (filter (> 1e-8) (parameters shape r)), t < farOf scene]
     expected = case met of
       [] -> Colour 0 0 0 1
-      (_, p) : _ -> head [Colour (materialKd m * red c) (materialKd m * green c) (materialKd m * blue c) (alpha c) | m <- sceneMaterials scene, materialName m == primitiveMaterial p, let c = materialColour m]
+      (_, p) : _ -> maybe (Colour 0 0 0 0) diffuse (find ((== primitiveMaterial p) . materialName) (sceneMaterials scene))
+    diffuse m = let Colour r' g b a = materialColour m in Colour (materialKd m * r') (materialKd m * g) (materialKd m * b) a
 
 -- | A lit picture is opaque, whatever the alphas of its colours.
 litIsOpaque :: Small -> Property

@@ -2,7 +2,8 @@
 -- Module      : Laws.Shape
 -- Description : What is true of every shape that a ray meets
 --
--- Each law is a sentence and a function of a ray aimed at a shape. Bounds come from "Laws.Verdict", where they are derived.
+-- Each law is a sentence and a function of a ray aimed at a shape. Bounds come from "Laws.Verdict", where they are
+-- derived.
 module Laws.Shape
   ( -- * All of them
     lawsOfShapes,
@@ -88,8 +89,8 @@ parametersAscend (Aimed shape r) = counterexample (show ts) $ and (zipWith (<=) 
     ts = parametersOf shape r
     finite t = not (isNaN t || isInfinite t)
 
--- | The point of the line at a computed parameter satisfies the shape's equation, up to the rounding of the equation's terms; a point of a cube lies on one of
--- its faces, and between the others.
+-- | The point of the line at a computed parameter satisfies the shape's equation, up to the rounding of the
+-- equation's terms; a point of a cube lies on one of its faces, and between the others.
 hitsLieOnTheShape :: Aimed -> Property
 hitsLieOnTheShape (Aimed shape r) = conjoin [counterexample (show t) (property (on (toRational t))) | t <- parametersOf shape r]
   where
@@ -120,7 +121,8 @@ hitsLieOnTheShape (Aimed shape r) = conjoin [counterexample (show t) (property (
       _ -> False
     onPlane frame@(n, _, _) p t = abs (inner n (along o d t - p)) <= planeResidual frame p r t
     firstCorner x = let Corners p _ _ = trianglePoints x in exact p
-    -- Of the computed point; distances are computed with four roundings, their squares with eight, and the second order.
+    -- Of the computed point; distances are computed with four roundings, their squares with eight, and the second
+    -- order.
     squaredDistance c t = squared (exact (position r (fromRational t)) - exact c)
 
 -- | For each axis: the coordinate, the two faces with the errors of their parameters, and the origin's coordinate.
@@ -128,7 +130,8 @@ facesOf :: Exact -> Rational -> Exact -> Exact -> [(Rational, [(Rational, Ration
 facesOf c h o q =
   [(x, [(f, faceError f from + eps * abs f) | f <- [m - h, m + h]], from) | (x, m, from) <- zip3 (components q) (components c) (components o)]
 
--- | The ray meets the shape where the exact ray meets the exact shape, as often, and within the bound of each parameter; where rounding may decide, nothing is said.
+-- | The ray meets the shape where the exact ray meets the exact shape, as often, and within the bound of each
+-- parameter; where rounding may decide, nothing is said.
 agreesWithExact :: Aimed -> Property
 agreesWithExact (Aimed shape r) = counterexample (show (ts, v)) $ case v of
   Unsure -> True
@@ -137,11 +140,13 @@ agreesWithExact (Aimed shape r) = counterexample (show (ts, v)) $ case v of
     ts = parametersOf shape r
     v = verdict shape r
 
--- | Where nothing is rounded on the way, nothing is left to rounding: rims, edges and corners belong to the shape, and a ray along a flat shape misses it.
+-- | Where nothing is rounded on the way, nothing is left to rounding: rims, edges and corners belong to the shape,
+-- and a ray along a flat shape misses it.
 --
--- Parameters are the doubles nearest to the exact ones for planes, disks, annuli and cubes. A line that misses a cube by less than the rounding of its
--- parameters may touch it. A triangle's unit normal is rounded, so its parameters are too. Of spheres the number of points is exact, and a tangent touches at
--- the double nearest to the exact parameter, twice.
+-- Parameters are the doubles nearest to the exact ones for planes, disks, annuli and cubes. A line that misses a cube
+-- by less than the rounding of its parameters may touch it. A triangle's unit normal is rounded, so its parameters
+-- are too. Of spheres the number of points is exact, and a tangent touches at the double nearest to the exact
+-- parameter, twice.
 isExactWhereItCanBe :: Crisp -> Property
 isExactWhereItCanBe (Crisp shape r) = counterexample (show ts) $ case shape of
   APlane p -> ts === flat p (const True)
@@ -187,7 +192,8 @@ isAsPlain (Aimed shape r) = Just (parametersOf shape r) === plainly
     onPlane p rule = (\n -> rule (planePosition p) n r) <$> unit (planeNormal p)
     onCorners x = let Corners a b c = trianglePoints x in triangleParameters a b c (triangleNormal x) r
 
--- | The nearest hit is the first parameter above 1e-8 and below the bound, whatever the bound: the bound itself if there is none, even if a parameter equals it.
+-- | The nearest hit is the first parameter above 1e-8 and below the bound, whatever the bound: the bound itself if
+-- there is none, even if a parameter equals it.
 nearestIsLeast :: Aimed -> Property
 nearestIsLeast (Aimed shape r) = conjoin [counterexample (show b) (nearest (preparedOf shape) r b === first b) | b <- bounds]
   where
@@ -215,11 +221,13 @@ normalIsUnit (Aimed shape r) = conjoin [counterexample (show n) (valid n) | (_, 
 normalsOf :: Shape -> Ray -> [(Double, Unit)]
 normalsOf shape r = [(t, normalAt (preparedOf shape) r t) | t <- parametersOf shape r]
 
--- | The normal of a hit is orthogonal to the surface there and points outwards: its outer product with the gradient of the shape's equation vanishes, up to
--- the rounding of the gradient. (A smooth triangle's normal is another matter: "Laws.Triangle".)
+-- | The normal of a hit is orthogonal to the surface there and points outwards: its outer product with the gradient
+-- of the shape's equation vanishes, up to the rounding of the gradient. (A smooth triangle's normal is another
+-- matter: "Laws.Triangle".)
 --
--- With N the gradient, the computed normal is c (N + e), where |c| is 1 \/ |N| up to 4 eps and |e_i| at most gamma k s_i, so that its product with N is at most (1 + gamma 5) gamma k
--- (s_j |N_k| + s_k |N_j|) \/ |N|. Planes have k = 1 (the division), triangles k = 5, and spheres k = 2, N being the point less the centre.
+-- With N the gradient, the computed normal is c (N + e), where |c| is 1 \/ |N| up to 4 eps and |e_i| at most gamma k
+-- s_i, so that its product with N is at most (1 + gamma 5) gamma k (s_j |N_k| + s_k |N_j|) \/ |N|. Planes have k = 1
+-- (the division), triangles k = 5, and spheres k = 2, N being the point less the centre.
 normalIsOrthogonal :: Aimed -> Property
 normalIsOrthogonal (Aimed shape r) = conjoin [counterexample (show (t, n)) (property (orthogonal t (exact (vector n)))) | (t, n) <- normalsOf shape r]
   where
@@ -267,8 +275,8 @@ scaledTogether (Aimed shape r) = forAll (chooseInt (-12, 60)) $ \k ->
   let grow = fmap (scaleFloat k)
    in carries grow id (scaleFloat k) shape $ \larger -> parametersOf larger (ray (grow (origin r)) (grow (direction r))) === parametersOf shape r
 
--- | A ray and a shape that are moved together, without rounding, meet at the same parameters, to the bit. Where a disk's or an annulus' rim hangs on rounding, it
--- may be the rounding of another place.
+-- | A ray and a shape that are moved together, without rounding, meet at the same parameters, to the bit. Where a
+-- disk's or an annulus' rim hangs on rounding, it may be the rounding of another place.
 movedTogether :: Crisp -> Property
 movedTogether (Crisp shape crispRay) = forAll ((,) <$> shift <*> oneof [pure (direction crispRay), step Few]) $ \(v, d) ->
   carries (+ v) id id shape $ \there ->
@@ -289,9 +297,9 @@ turnedByHalf (Aimed shape r) =
   where
     halfTurns = [\(V3 x y z) -> V3 x (-y) (-z), \(V3 x y z) -> V3 (-x) y (-z), \(V3 x y z) -> V3 (-x) (-y) z]
 
--- | Turning ray and shape by quarters of a turn changes no parameter of a cube, not by a bit, and of nothing that is made of small integers but by the
--- rounding of a unit normal; and it changes no triangle's decision, as long as the ray's largest component is larger than the others (of equal ones the rule
--- takes the last).
+-- | Turning ray and shape by quarters of a turn changes no parameter of a cube, not by a bit, and of nothing that is
+-- made of small integers but by the rounding of a unit normal; and it changes no triangle's decision, as long as the
+-- ray's largest component is larger than the others (of equal ones the rule takes the last).
 turnedByQuarters :: Aimed -> Property
 turnedByQuarters (Aimed shape r) =
   conjoin [carries turn turn id shape $ \there -> same there (parametersOf there (ray (turn (origin r)) (turn (direction r)))) | turn <- turns]
@@ -308,15 +316,17 @@ turnedByQuarters (Aimed shape r) =
     alone = let parts = abs <$> components (direction r) in length (filter (== maximum parts) parts) == 1
     turns = [\(V3 x y z) -> V3 x (-z) y, \(V3 x y z) -> V3 z y (-x), \(V3 x y z) -> V3 (-y) x z, \(V3 x y z) -> V3 y z x, \(V3 x y z) -> V3 z x y]
 
--- | A law of the shape that it becomes elsewhere. Shapes that cannot be carried there are left out (a triangle that is nearly a line may become one).
+-- | A law of the shape that it becomes elsewhere. Shapes that cannot be carried there are left out (a triangle that
+-- is nearly a line may become one).
 carries :: (Vector -> Vector) -> (Vector -> Vector) -> (Double -> Double) -> Shape -> (Shape -> Property) -> Property
 carries onPoint onVector onLength shape law = maybe discard law (carried onPoint onVector onLength shape)
 
 -------------------------------------------------------------------------------
 -- Flat shapes
 
--- | A ray that runs along a plane, in it or beside it, does not meet the plane nor any shape in it: for planes orthogonal to an axis, or to a diagonal of two axes.
--- (Both components of such a normal are equal, so that \<n, d> is zero when it is computed, too.)
+-- | A ray that runs along a plane, in it or beside it, does not meet the plane nor any shape in it: for planes
+-- orthogonal to an axis, or to a diagonal of two axes. (Both components of such a normal are equal, so that \<n, d>
+-- is zero when it is computed, too.)
 raysAlongMiss :: Property
 raysAlongMiss = forAll setting $ \(p, d, k) ->
   conjoin [counterexample (show shape) (parametersOf shape (ray (planePosition p + k) d) === []) | shape <- shapesIn p 3]
@@ -333,8 +343,8 @@ raysAlongMiss = forAll setting $ \(p, d, k) ->
 shapesIn :: Plane -> Double -> [Shape]
 shapesIn p radius = APlane p : maybe [] (pure . ADisk) (disk p radius) ++ maybe [] (pure . AnAnnulus) (annulus p 0 radius)
 
--- | A ray that lies exactly in the plane of a shape, whatever the plane's inclination, does not meet the shape: for planes and triangles of integers, along which
--- an integer ray can run exactly.
+-- | A ray that lies exactly in the plane of a shape, whatever the plane's inclination, does not meet the shape: for
+-- planes and triangles of integers, along which an integer ray can run exactly.
 raysInSlantedPlanesMiss :: Sort -> Property
 raysInSlantedPlanesMiss sort = forAll (crispTriangle >>= setting) $ \(t, r) ->
   isNothing (exactTriangle t r) ==> conjoin [counterexample (show shape) (parametersOf shape r === []) | shape <- shapes t]
@@ -360,7 +370,8 @@ raysInSlantedPlanesMiss sort = forAll (crispTriangle >>= setting) $ \(t, r) ->
             n = V3 (y1 * z2 - z1 * y2) (z1 * x2 - x1 * z2) (x1 * y2 - y1 * x2)
          in maybe [] (`shapesIn` 50) (plane a n)
 
--- | A disk is hit exactly where its plane is hit, not farther from the centre than the radius; an annulus likewise, not nearer than the inner one.
+-- | A disk is hit exactly where its plane is hit, not farther from the centre than the radius; an annulus likewise,
+-- not nearer than the inner one.
 diskIsPlaneWithin :: Aimed -> Property
 diskIsPlaneWithin (Aimed shape r) = case shape of
   ADisk x -> parametersOf shape r === kept (diskPlane x) 0 (diskRadius x)
@@ -378,11 +389,11 @@ annulusWithoutHoleIsDisk (Aimed shape r) = case shape of
 -------------------------------------------------------------------------------
 -- Solids
 
--- | A line meets a sphere or a cube at two parameters or not at all; the points between the two are inside, and the points outside them are not, up to the bounds by
--- which the two parameters themselves may be off.
+-- | A line meets a sphere or a cube at two parameters or not at all; the points between the two are inside, and the
+-- points outside them are not, up to the bounds by which the two parameters themselves may be off.
 --
--- The excess |r(t) - C|^2 - R^2 is convex in t, so between the two it is at most the greater of theirs. Outside, the rounded polynomial is positive up
--- to the residual of its root. For a cube each coordinate is monotonous in t.
+-- The excess |r(t) - C|^2 - R^2 is convex in t, so between the two it is at most the greater of theirs. Outside, the
+-- rounded polynomial is positive up to the residual of its root. For a cube each coordinate is monotonous in t.
 meetsInAnInterval :: Aimed -> Property
 meetsInAnInterval (Aimed shape r) = counterexample (show ts) $ case ts of
   [] -> property True
@@ -418,8 +429,9 @@ entersAgainstTheNormal (Aimed shape r) = case (shape, normalsOf shape r) of
   (ACube _, [(enter, n), (leave, m)]) | enter < leave -> counterexample (show (n, m)) (dot (direction r) (vector n) < 0 && dot (direction r) (vector m) > 0)
   _ -> property True
 
--- | A point is inside a solid if it is nearer to the centre than a part in 10^10 less than the solid's size, and in no other case; where the computed distance hangs on rounding
--- nothing is said. (For a sphere the distance has four roundings and the limit four; for a cube each difference has one and the limit two.)
+-- | A point is inside a solid if it is nearer to the centre than a part in 10^10 less than the solid's size, and in
+-- no other case; where the computed distance hangs on rounding nothing is said. (For a sphere the distance has four
+-- roundings and the limit four; for a cube each difference has one and the limit two.)
 containsItsInside :: Aimed -> Property
 containsItsInside (Aimed shape r) = forAll place $ \p -> counterexample (show p) $ case shape of
   ASphere x -> decided (squared (exact p - exact (sphereCentre x))) (toRational (sphereRadius x) ^ (2 :: Int)) 18 (^ (2 :: Int)) (contains (preparedOf shape) p)

@@ -2,9 +2,10 @@
 -- Module      : Laws.Sketch
 -- Description : Scenes as text, and a second ray tracer
 --
--- A sketch is a small scene that knows two ways to its picture: as a text in the scene language, which the program reads and renders; and by a second ray tracer, which is
--- written here from the textbooks, shares nothing with the program but the meaning of the words, and does without vectors, units, roots and
--- prepared shapes. It is simple and slow, and it knows when its answer hangs on rounding.
+-- A sketch is a small scene that knows two ways to its picture: as a text in the scene language, which the program
+-- reads and renders; and by a second ray tracer, which is written here from the textbooks, shares nothing with the
+-- program but the meaning of the words, and does without vectors, units, roots and prepared shapes. It is simple and
+-- slow, and it knows when its answer hangs on rounding.
 module Laws.Sketch
   ( Sketch (..),
     Thing (..),
@@ -38,9 +39,9 @@ data Thing
   | Bent Triple Triple Triple
   deriving (Eq, Show)
 
--- | A scene: where the eye is, what it looks at and what is up; the vertical angle, near and far; width and height; samples, the name of the pixel coordinate, and
--- the seed; things with the names of their paints, and paints (name, colour and kd). If it is lit, the text has lights and mirrors, which the second ray tracer
--- knows nothing about.
+-- | A scene: where the eye is, what it looks at and what is up; the vertical angle, near and far; width and height;
+-- samples, the name of the pixel coordinate, and the seed; things with the names of their paints, and paints (name,
+-- colour and kd). If it is lit, the text has lights and mirrors, which the second ray tracer knows nothing about.
 data Sketch = Sketch
   { sketchEye :: Triple,
     sketchLookAt :: Triple,
@@ -149,7 +150,8 @@ data Answer
     Uncertain
   deriving (Eq, Show)
 
--- | What is seen through a point of the picture, given in pixels from the top left; uncertain unless the four points a millionth of a pixel away show the same.
+-- | What is seen through a point of the picture, given in pixels from the top left; uncertain unless the four points
+-- a millionth of a pixel away show the same.
 answer :: Sketch -> Double -> Double -> Answer
 answer s x y = case [look s (x + dx) (y + dy) | (dx, dy) <- [(0, 0), (-e, -e), (-e, e), (e, -e), (e, e)]] of
   first : others | all (== first) others -> first
@@ -204,7 +206,8 @@ look s x y = case sortOn fst (concat [[(t, i) | t <- ahead thing] | (i, (_, thin
       let n = times (b `minus` a) (c `minus` a)
        in [t | t <- flat a n, let p = at t, all (\(u, v) -> by n (times (v `minus` u) (p `minus` u)) >= 0) [(a, b), (b, c), (c, a)]]
 
--- | The colour that an answer stands for: kd times the colour of the first paint of the thing's paint's name; of the grey that stands in for a missing one, 0.6 of white.
+-- | The colour that an answer stands for: kd times the colour of the first paint of the thing's paint's name; of the
+-- grey that stands in for a missing one, 0.6 of white.
 sketchColour :: Sketch -> Answer -> Maybe (Rational, Rational, Rational)
 sketchColour s a = case a of
   Uncertain -> Nothing

@@ -34,8 +34,9 @@ import Test.QuickCheck hiding (vector)
 -------------------------------------------------------------------------------
 -- One triangle
 
--- | Whether a ray hits a triangle does not depend on the order in which its corners are written, whichever way they turn: the edge functions are the same
--- numbers up to their signs. (As long as the ray is not so nearly in the plane that \<n, d> may come out as zero.)
+-- | Whether a ray hits a triangle does not depend on the order in which its corners are written, whichever way they
+-- turn: the edge functions are the same numbers up to their signs. (As long as the ray is not so nearly in the plane
+-- that \<n, d> may come out as zero.)
 orderOfCornersDoesNotMatter :: Aimed -> Property
 orderOfCornersDoesNotMatter (Aimed shape r) = case shape of
   ATriangle t
@@ -50,8 +51,9 @@ orderOfCornersDoesNotMatter (Aimed shape r) = case shape of
 
 -- | The barycentric coordinates of any point are near those that the same formula gives without rounding.
 --
--- The three products of edges, and the two with w, have 2 + 3 roundings each; the numerators and D are differences of products of two of
--- them, with 2 more: gamma 12 of the sum of the terms. A quotient q of numbers that err by x and y errs by (x + |q| y) \/ (D - y), and is rounded.
+-- The three products of edges, and the two with w, have 2 + 3 roundings each; the numerators and D are differences of
+-- products of two of them, with 2 more: gamma 12 of the sum of the terms. A quotient q of numbers that err by x and y
+-- errs by (x + |q| y) \/ (D - y), and is rounded.
 barycentricIsNearExact :: Aimed -> Property
 barycentricIsNearExact (Aimed shape r) = case shape of
   ATriangle t -> forAll (oneof [pure (origin r), number Few >>= \k -> pure (origin r + k *^ direction r)]) $ \p ->
@@ -75,8 +77,8 @@ barycentricIsNearExact (Aimed shape r) = case shape of
 
 -- | The interpolated normal is parallel to (1 - t1 - t2) N0 + t1 N1 + t2 N2, and points the same way.
 --
--- The first factor has two roundings, of 1 + |t1| + |t2| at most; each product one more, and the sums two: e, gamma 5 of the terms, in each component. The unit vector adds 1.
--- So with m exact, |n x m| <= |e| + gamma 2 |m|.
+-- The first factor has two roundings, of 1 + |t1| + |t2| at most; each product one more, and the sums two: e, gamma 5
+-- of the terms, in each component. The unit vector adds 1. So with m exact, |n x m| <= |e| + gamma 2 |m|.
 interpolatedIsNearExact :: Property
 interpolatedIsNearExact = forAll setting $ \(flat, Corners a b c, (t1, t2)) ->
   let x = exact (vector a)
@@ -101,7 +103,8 @@ interpolatedIsNearExact = forAll setting $ \(flat, Corners a b c, (t1, t2)) ->
 interpolatesCorners :: Property
 interpolatesCorners = forAll ((,) <$> anyUnit <*> (Corners <$> anyUnit <*> anyUnit <*> anyUnit)) $ \(flat, Corners a b c) ->
   let at = interpolatedNormal flat (Corners a b c)
-      -- A unit vector's quadrance is off by 8 eps at most, so made unit again its components move by 4 eps, and two roundings.
+      -- A unit vector's quadrance is off by 8 eps at most, so made unit again its components move by 4 eps, and two
+      -- roundings.
       same n m = counterexample (show (n, m)) (magnitude (exact (vector n) - exact (vector m)) <= 3 * 6 * eps)
    in same (at (0, 0)) a .&&. same (at (1, 0)) b .&&. same (at (0, 1)) c
         .&&. interpolatedNormal flat (Corners a (opposite a) c) (0.5, 0) === flat
@@ -124,7 +127,8 @@ collinearCornersAreRefused = forAll setting $ \(Corners a b c) -> triangle (Corn
 -------------------------------------------------------------------------------
 -- Closed meshes
 
--- | A closed mesh, a point inside it from where every face is seen from behind, and the point that a ray from there goes to.
+-- | A closed mesh, a point inside it from where every face is seen from behind, and the point that a ray from there
+-- goes to.
 data Mesh = Mesh {meshFaces :: [(Point, Point, Point)], meshInside :: Point, meshTarget :: Point}
   deriving (Eq, Show)
 
@@ -153,8 +157,8 @@ instance Arbitrary Mesh where
       onEdge (a, b, _) = (\f -> a + f *^ (b - a)) <$> fraction
       onFace (a, b, c) = (\f g -> let e = b + f *^ (c - b) in a + g *^ (e - a)) <$> fraction <*> fraction
 
--- | All faces are triangles, and the inner point is behind every face's plane, by more than rounding: the angle at which a face's corner is seen from there, above
--- the face, has a sine of 2^-20 at least.
+-- | All faces are triangles, and the inner point is behind every face's plane, by more than rounding: the angle at
+-- which a face's corner is seen from there, above the face, has a sine of 2^-20 at least.
 sound :: Mesh -> Bool
 sound m@(Mesh faces inside _) = length (meshTriangles m) == length faces && all behind faces
   where

@@ -108,7 +108,8 @@ vectorCorners (Sized v) =
 -------------------------------------------------------------------------------
 -- Products
 
--- | The inner product is within gamma 3 of the exact one, counted by the sum of the terms' magnitudes: a product and two sums.
+-- | The inner product is within gamma 3 of the exact one, counted by the sum of the terms' magnitudes: a product and
+-- two sums.
 dotIsNearExact :: Any -> Any -> Property
 dotIsNearExact (Any a) (Any b) = isWithin (gamma 3 * inner (magnitudes x) (magnitudes y)) (toRational (dot a b)) (inner x y)
   where
@@ -142,7 +143,8 @@ crossIsBilinear :: Whole -> Whole -> Whole -> Property
 crossIsBilinear (Whole a) (Whole b) (Whole c) = forAll (fromIntegral <$> chooseInt (-64, 64)) $ \k ->
   cross (k *^ a + b) c === k *^ cross a c + cross b c .&&. cross c (k *^ a + b) === k *^ cross c a + cross c b
 
--- | The outer product is additive, up to rounding, component by component: gamma 3 of the sum's terms and gamma 2 of the others'.
+-- | The outer product is additive, up to rounding, component by component: gamma 3 of the sum's terms and gamma 2 of
+-- the others'.
 crossIsBilinearNearly :: Any -> Any -> Any -> Property
 crossIsBilinearNearly (Any a) (Any b) (Any c) =
   componentwise id bound (exact (cross (a + b) c)) (exact (cross a c) + exact (cross b c))
@@ -165,7 +167,8 @@ crossIsOrthogonal (Any a) (Any b) = orthogonal x .&&. orthogonal y
     n = exact (cross a b)
     orthogonal v = isWithin (gamma 2 * inner (magnitudes v) (outerMagnitudes x y)) (inner n v) 0
 
--- | Lagrange's identity, |a x b|^2 + (a . b)^2 = |a|^2 |b|^2: exactly, for integers up to 63 (the squares stay below 2^53).
+-- | Lagrange's identity, |a x b|^2 + (a . b)^2 = |a|^2 |b|^2: exactly, for integers up to 63 (the squares stay below
+-- 2^53).
 lagrange :: Whole -> Whole -> Property
 lagrange (Whole a0) (Whole b0) = quadrance (cross a b) + dot a b * dot a b === quadrance a * quadrance b
   where
@@ -174,9 +177,10 @@ lagrange (Whole a0) (Whole b0) = quadrance (cross a b) + dot a b * dot a b === q
     small :: Double -> Double
     small x = fromIntegral (truncate x `rem` 64 :: Int)
 
--- | Lagrange's identity, up to rounding. With S the sum of the squares of the outer product's terms, and T the sum of the inner product's: the
--- outer product errs by gamma 2 of its terms, its quadrance by twice that and gamma 3 more, and the inner product by gamma 3. That is (1 + gamma 2)^2
--- (1 + gamma 3) - 1 of S, below gamma 8, and (1 + gamma 3)^2 - 1 of T^2, below gamma 7.
+-- | Lagrange's identity, up to rounding. With S the sum of the squares of the outer product's terms, and T the sum of
+-- the inner product's: the outer product errs by gamma 2 of its terms, its quadrance by twice that and gamma 3 more,
+-- and the inner product by gamma 3. That is (1 + gamma 2)^2 (1 + gamma 3) - 1 of S, below gamma 8, and (1 + gamma
+-- 3)^2 - 1 of T^2, below gamma 7.
 lagrangeNearly :: Any -> Any -> Property
 lagrangeNearly (Any a) (Any b) = isWithin (gamma 8 * squared (outerMagnitudes x y) + gamma 7 * t * t) (toRational (quadrance (cross a b)) + d * d) (squared x * squared y)
   where
@@ -188,8 +192,8 @@ lagrangeNearly (Any a) (Any b) = isWithin (gamma 8 * squared (outerMagnitudes x 
 -------------------------------------------------------------------------------
 -- Lengths
 
--- | The modulus is within 5\/2 eps of the length: its square has at most three roundings, the square root halves them and adds one.
--- Compared as squares, that is 5 eps and a little of the second order: gamma 6.
+-- | The modulus is within 5\/2 eps of the length: its square has at most three roundings, the square root halves them
+-- and adds one. Compared as squares, that is 5 eps and a little of the second order: gamma 6.
 modulusIsNearExact :: Any -> Property
 modulusIsNearExact (Any v) = isWithin (gamma 6 * squared (exact v)) (toRational (modulus v) ^ (2 :: Int)) (squared (exact v))
 
@@ -214,8 +218,9 @@ unitIsValid (Sized v) = counterexample (show (unit v)) $ case unit v of
   Just n -> valid n .&&. valid (opposite n)
   Nothing -> property False
 
--- | The unit vector has the vector's direction: component by component it is v_i \/ |v|, within 4 eps (5\/2 for the length, one for the quotient, and the second
--- order), or 2^-480 where a component's square underflows beside the others'.
+-- | The unit vector has the vector's direction: component by component it is v_i \/ |v|, within 4 eps (5\/2 for the
+-- length, one for the quotient, and the second order), or 2^-480 where a component's square underflows beside the
+-- others'.
 unitIsParallel :: Sized -> Property
 unitIsParallel (Sized v) = case unit v of
   Nothing -> property False
@@ -244,15 +249,15 @@ unitIsAbsent (Sized v) = isJust (unit v) .&&. unit (0 *^ fmap signum v) === Noth
 -------------------------------------------------------------------------------
 -- Angles
 
--- | The angle of two integer vectors is exact to 4 eps of itself, or of what it lacks to a half turn, whichever is less; and to 4 eps more
--- when it is above a quarter turn.
+-- | The angle of two integer vectors is exact to 4 eps of itself, or of what it lacks to a half turn, whichever is
+-- less; and to 4 eps more when it is above a quarter turn.
 --
--- Both products of 'Whole' vectors up to 2048 are exact, so |a x b| has the rounding of its square root and the tangent one
--- more; the arc tangent of the library is within 1 ulp, at most 2 eps: 4 eps together. Beyond a quarter turn the angle is
--- pi less that: pi is known to 1.2 eps, and the difference is rounded to half an ulp, 2 eps.
+-- Both products of 'Whole' vectors up to 2048 are exact, so |a x b| has the rounding of its square root and the
+-- tangent one more; the arc tangent of the library is within 1 ulp, at most 2 eps: 4 eps together. Beyond a quarter
+-- turn the angle is pi less that: pi is known to 1.2 eps, and the difference is rounded to half an ulp, 2 eps.
 --
--- The second opinion: the sine of the angle between the direction (cos, sin) of the computed angle and the exact direction (a . b, |a x b|). Sine and
--- cosine are summed as series.
+-- The second opinion: the sine of the angle between the direction (cos, sin) of the computed angle and the exact
+-- direction (a . b, |a x b|). Sine and cosine are summed as series.
 angleIsNearExact :: Whole -> Whole -> Property
 angleIsNearExact (Whole a0) (Whole b0) =
   a /= 0 && b /= 0
@@ -277,8 +282,8 @@ angleScales :: Any -> Any -> Property
 angleScales (Any a) (Any b) = forAll ((,) <$> chooseInt (-100, 100) <*> chooseInt (-100, 100)) $ \(i, j) ->
   angle (scaleFloat i <$> a) (scaleFloat j <$> b) === angle a b
 
--- | The angles to a vector and to its opposite add up to pi, up to the half ulp by which the greater one is rounded: 2 eps.
--- They have the same tangent, up to its sign.
+-- | The angles to a vector and to its opposite add up to pi, up to the half ulp by which the greater one is rounded:
+-- 2 eps. They have the same tangent, up to its sign.
 anglesSupplement :: Any -> Any -> Property
 anglesSupplement (Any a) (Any b) =
   a /= 0 && b /= 0 ==> isWithin (2 * eps) (toRational (angle a b) + toRational (angle a (negate b))) (toRational (pi :: Double))

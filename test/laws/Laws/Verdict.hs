@@ -2,9 +2,10 @@
 -- Module      : Laws.Verdict
 -- Description : Where a ray meets a shape, by another way and without rounding
 --
--- The second opinion on every shape: the intersection over rational numbers, from the shape as it was written, by another formula where there is
--- one (triangles: Moeller and Trumbore's; spheres: the distance of the line from the centre). With each exact parameter comes how far the computed one may be from it, and
--- where rounding may turn hit into miss there is no verdict.
+-- The second opinion on every shape: the intersection over rational numbers, from the shape as it was written, by
+-- another formula where there is one (triangles: Moeller and Trumbore's; spheres: the distance of the line from the
+-- centre). With each exact parameter comes how far the computed one may be from it, and where rounding may turn hit
+-- into miss there is no verdict.
 module Laws.Verdict
   ( Verdict (..),
     Hit (..),
@@ -63,16 +64,17 @@ verdict shape r = case shape of
 
 -- * Flat shapes
 
--- | A vector orthogonal to a plane; what the errors of the computed unit normal's direction count by, component by component; and how many
--- roundings a parameter suffers in all. The unit normal is c n_i (1 + eps), with a factor c that does not matter. The products with it make
--- \<n, d> have 1 + 3 roundings and \<n, o - P> 1 + 1 + 3, and the quotient adds one: at most 6.
+-- | A vector orthogonal to a plane; what the errors of the computed unit normal's direction count by, component by
+-- component; and how many roundings a parameter suffers in all. The unit normal is c n_i (1 + eps), with a factor c
+-- that does not matter. The products with it make \<n, d> have 1 + 3 roundings and \<n, o - P> 1 + 1 + 3, and the
+-- quotient adds one: at most 6.
 flatFrame :: Plane -> (Exact, Exact, Int)
 flatFrame p = (n, magnitudes n, 6)
   where
     n = exact (planeNormal p)
 
--- | The same for a triangle: its normal's components are differences of two products of rounded edges, four roundings more, and count by the sum of
--- the products' magnitudes.
+-- | The same for a triangle: its normal's components are differences of two products of rounded edges, four roundings
+-- more, and count by the sum of the products' magnitudes.
 triangleFrame :: Triangle -> (Exact, Exact, Int)
 triangleFrame t = (outer e1 e2, outerMagnitudes e1 e2, 10)
   where
@@ -81,8 +83,8 @@ triangleFrame t = (outer e1 e2, outerMagnitudes e1 e2, 10)
     e2 = p2 - p0
     f <$$> Corners a b c = Corners (f a) (f b) (f c)
 
--- | How far \<n, r(t) - P> may be from zero at a computed parameter: with A = \<n, d> and B = \<n, w> computed, A t = -B (1 + eps), and what A and B lack are
--- k roundings of their terms.
+-- | How far \<n, r(t) - P> may be from zero at a computed parameter: with A = \<n, d> and B = \<n, w> computed, A t =
+-- -B (1 + eps), and what A and B lack are k roundings of their terms.
 planeResidual :: (Exact, Exact, Int) -> Exact -> Ray -> Rational -> Rational
 planeResidual (_, s, k) p r t = gamma k * (inner s (magnitudes (exact (origin r) - p)) + abs t * inner s (magnitudes (exact (direction r))))
 
@@ -98,7 +100,8 @@ flatVerdict frame@(n, s, k) p r
     terms = inner s (magnitudes d)
     t = negate (inner n (exact (origin r) - p)) / a
 
--- | The distance from the centre is computed with four roundings of its own, of a point that has two, at a parameter that has its uncertainty.
+-- | The distance from the centre is computed with four roundings of its own, of a point that has two, at a parameter
+-- that has its uncertainty.
 ringVerdict :: Plane -> Maybe Double -> Double -> Ray -> Verdict
 ringVerdict p hole radius r = case flatVerdict (flatFrame p) c r of
   Sure [Hit t e]
@@ -124,8 +127,9 @@ ringVerdict p hole radius r = case flatVerdict (flatFrame p) c r of
 
 -- | How far |r(t) - C|^2 - R^2 may be from zero at a computed parameter.
 --
--- The root of the rounded polynomial leaves 5 eps (A t^2 + |C0|) of it (Laws.Roots, hasSmallResidual). A has 3 roundings, B has 4, and C0 = |w|^2 - R^2
--- has 5 in |w|^2, 1 in R^2 and 1 in their difference: 8 |d|^2 t^2, 4 |2 w d t|, 5 + 5 + 1 of |w|^2 and 5 + 1 + 1 of R^2, and one more for the second order.
+-- The root of the rounded polynomial leaves 5 eps (A t^2 + |C0|) of it (Laws.Roots, hasSmallResidual). A has 3
+-- roundings, B has 4, and C0 = |w|^2 - R^2 has 5 in |w|^2, 1 in R^2 and 1 in their difference: 8 |d|^2 t^2, 4 |2 w d
+-- t|, 5 + 5 + 1 of |w|^2 and 5 + 1 + 1 of R^2, and one more for the second order.
 sphereResidual :: Exact -> Rational -> Ray -> Rational -> Rational
 sphereResidual c radius r t =
   gamma 9 * squared d * t * t + gamma 5 * 2 * inner (magnitudes w) (magnitudes d) * abs t + gamma 12 * squared w + gamma 8 * radius * radius
@@ -133,10 +137,12 @@ sphereResidual c radius r t =
     d = exact (direction r)
     w = exact (origin r) - c
 
--- | The line meets the sphere where its distance from the centre is at most R: where R^2 |d|^2 - |w x d|^2, a quarter of the discriminant, is at least zero.
+-- | The line meets the sphere where its distance from the centre is at most R: where R^2 |d|^2 - |w x d|^2, a quarter
+-- of the discriminant, is at least zero.
 --
--- Rounding moves that by at most 2 gamma 4 (sum |w_i d_i|)^2 for B^2, and for A C0 by |d|^2 times gamma 3 + 6 of |w|^2 and gamma 3 + 2 of R^2. A root
--- t at a distance x from the exact one it belongs to, which is the nearer one, has |d|^2 x g \/ 2 <= residual, g being the gap between the two.
+-- Rounding moves that by at most 2 gamma 4 (sum |w_i d_i|)^2 for B^2, and for A C0 by |d|^2 times gamma 3 + 6 of
+-- |w|^2 and gamma 3 + 2 of R^2. A root t at a distance x from the exact one it belongs to, which is the nearer one,
+-- has |d|^2 x g \/ 2 <= residual, g being the gap between the two.
 sphereVerdict :: Exact -> Rational -> Ray -> Verdict
 sphereVerdict c radius r
   | quarter > slack && x1 <= gap / 4 && x2 <= gap / 4 = Sure [Hit t1 x1, Hit t2 x2]
@@ -159,7 +165,8 @@ sphereVerdict c radius r
 
 -- * Cubes
 
--- | How far from a face's coordinate F the line is at the face's computed parameter, (fl F - o) \/ d: F has one rounding, difference and quotient one each.
+-- | How far from a face's coordinate F the line is at the face's computed parameter, (fl F - o) \/ d: F has one
+-- rounding, difference and quotient one each.
 faceError :: Rational -> Rational -> Rational
 faceError face o = gamma 2 * abs (face - o) + (1 + gamma 2) * eps * abs face
 
@@ -198,8 +205,9 @@ exactSlabs c h r
 
 -- * Triangles
 
--- | Parameter and barycentric coordinates of P0, P1, P2, where the line meets the triangle's plane (T. Moeller and B. Trumbore, "Fast, minimum storage
--- ray\/triangle intersection", 1997); and the determinant. 'Nothing' where it does not meet it.
+-- | Parameter and barycentric coordinates of P0, P1, P2, where the line meets the triangle's plane (T. Moeller and B.
+-- Trumbore, "Fast, minimum storage ray\/triangle intersection", 1997); and the determinant. 'Nothing' where it does
+-- not meet it.
 exactTriangle :: Triangle -> Ray -> Maybe (Rational, [Rational], Rational)
 exactTriangle triangle r
   | determinant == 0 = Nothing
@@ -217,11 +225,13 @@ exactTriangle triangle r
     v = inner d q / determinant
     t = inner e2 q / determinant
 
--- | Which side of an edge the ray passes is certain where the coordinate that vanishes on the edge is not too small. That coordinate, times the determinant, is
--- the triple product of d and the edge's corners a and b, seen from the origin; the edge function is the triple product divided by the largest |d_i|.
+-- | Which side of an edge the ray passes is certain where the coordinate that vanishes on the edge is not too small.
+-- That coordinate, times the determinant, is the triple product of d and the edge's corners a and b, seen from the
+-- origin; the edge function is the triple product divided by the largest |d_i|.
 --
--- The shadow x - (dx\/dz) z of a corner is computed with at most 4 roundings of |x| + |z|, which is at most m, the sum of the magnitudes of the corner's components; an edge
--- function is the difference of two products of them, with 2 m_a m_b gamma (4 + 4 + 2).
+-- The shadow x - (dx\/dz) z of a corner is computed with at most 4 roundings of |x| + |z|, which is at most m, the
+-- sum of the magnitudes of the corner's components; an edge function is the difference of two products of them, with
+-- 2 m_a m_b gamma (4 + 4 + 2).
 triangleVerdict :: Triangle -> Ray -> Verdict
 triangleVerdict triangle r = case exactTriangle triangle r of
   Nothing -> Unsure

@@ -58,11 +58,14 @@ instance Arbitrary Seen where
 seenView :: Seen -> View
 seenView (Seen c v _) = view c v
 
--- | How far a computed point of the picture may be from the exact one, in each component: 32 eps of the numbers that it is made of.
+-- | How far a computed point of the picture may be from the exact one, in each component: 32 eps of the numbers that
+-- it is made of.
 --
--- A point is the sum of five vectors: the eye, near front, and shares of the picture's width and height to the left, up, right and down, none of which is longer than the whole width and height.
--- Factors have at most 8 roundings (the tangent and its angle, the width, the unit direction, the share) and the sums 5. Directions are outer products of unit vectors that
--- are orthogonal up to their own roundings, 2 of each term: 8 eps, and twice that for the second one. Together 8 + 5 + 16 eps, and the second order.
+-- A point is the sum of five vectors: the eye, near front, and shares of the picture's width and height to the left,
+-- up, right and down, none of which is longer than the whole width and height. Factors have at most 8 roundings (the
+-- tangent and its angle, the width, the unit direction, the share) and the sums 5. Directions are outer products of
+-- unit vectors that are orthogonal up to their own roundings, 2 of each term: 8 eps, and twice that for the second
+-- one. Together 8 + 5 + 16 eps, and the second order.
 slack :: Seen -> Rational
 slack (Seen c v _) = 32 * eps * (magnitude (exact (settingPosition s)) + extent)
   where
@@ -70,8 +73,8 @@ slack (Seen c v _) = 32 * eps * (magnitude (exact (settingPosition s)) + extent)
     height = 2 * settingNear s * tan (settingAngle s / 360 * pi)
     extent = 2 * toRational (settingNear s + height + height * fromIntegral (viewportWidth v) / fromIntegral (viewportHeight v))
 
--- | The direction of a ray is unit, and leads from the eye to where the ray starts: w = o - eye is rounded once in each component and divided by its length, so that
--- d x w is at most gamma 4 of its terms.
+-- | The direction of a ray is unit, and leads from the eye to where the ray starts: w = o - eye is rounded once in
+-- each component and divided by its length, so that d x w is at most gamma 4 of its terms.
 raysComeFromTheEye :: Seen -> Property
 raysComeFromTheEye seen@(Seen c _ (x, y)) =
   counterexample (show r) $
@@ -100,7 +103,8 @@ centreIsAhead seen@(Seen c v _) = counterexample (show p) $ and [abs e <= slack 
     p = pointAt (seenView seen) (fromIntegral (viewportWidth v) / 2) (fromIntegral (viewportHeight v) / 2)
     ahead = along (exact (settingPosition s)) (exact (vector (cameraFront c))) (toRational (settingNear s))
 
--- | Pixels are square: a step of a pixel to the right is as long as one down, 2 near tan (angle \/ 2) \/ height, and at a right angle to it.
+-- | Pixels are square: a step of a pixel to the right is as long as one down, 2 near tan (angle \/ 2) \/ height, and
+-- at a right angle to it.
 pixelsAreSquare :: Seen -> Property
 pixelsAreSquare seen@(Seen c v (x, y)) =
   counterexample (show (fromRational side :: Double, right, down)) $
@@ -168,7 +172,8 @@ uniformIsBelowOne seed i = counterexample (show u) (u >= 0 && u < 1)
   where
     u = uniform seed i
 
--- | The numbers of a seed are dealt out one by one: row by row, in a row pixel by pixel, in a pixel sample by sample, first across and then down.
+-- | The numbers of a seed are dealt out one by one: row by row, in a row pixel by pixel, in a pixel sample by sample,
+-- first across and then down.
 randomOffsetsAreNumbered :: Property
 randomOffsetsAreNumbered = forAll ((,,,) <$> chooseInt (1, 5) <*> chooseInt (1, 5) <*> chooseInt (1, 4) <*> chooseInt (0, maxBound)) $ \(w, h, n, seed) ->
   let tracer = defaultRaytracer {raytracerPixelCoordinate = Random, raytracerSampling = n, raytracerSeed = seed}
