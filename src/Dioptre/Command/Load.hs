@@ -92,7 +92,7 @@ loadTexture l folder name =
       readWhole path >>= \case
         Left fault -> pure (Left (Unreadable (fileFault l fault)))
         -- The decoder is not ours: what it throws on a broken file is its complaint.
-        Right b -> either (Left . Unreadable) (first Unreadable) <$> tryJust thrown (evaluate (decodeTexture path b))
+        Right b -> either (Left . Unreadable) (first Unreadable) <$> tryJust thrown (evaluate (decodeTexture path b) >>= traverse evaluate)
   where
     folderOf place = case place of
       Within f -> f
