@@ -69,7 +69,7 @@ main = do
     let locale = fromLocale (`lookup` environment)
         configured = either (const Nothing) (\(_, c, _) -> configurationLanguage c) configuration
         habitual = fromMaybe locale configured
-    asked <- getArgs >>= handleParseResult . execParserPure (prefs showHelpOnError) (program habitual) . joinCrop
+    asked <- getArgs >>= handleParseResult . execParserPure defaultPrefs (program habitual) . joinCrop
     let settings = commandSettings asked
         l = fromMaybe habitual (settingLanguage settings)
         first = either (const minBound) (\(_, c, _) -> firstNumber c) configuration
@@ -153,7 +153,7 @@ program l =
     crop = optional (option fourNumbers (long "crop" <> metavar (say "X Y W H" "X Y L H") <> help (say "only this part: from column X, row Y" "seulement cette partie, depuis la colonne X, ligne Y")))
     fourNumbers = eitherReader $ \text -> case traverse (integer . Text.pack) (words text) of
       Right [x, y, w, h] -> Right (x, y, w, h)
-      _ -> Left (say "--crop takes four integers: column, row, width, height" "--crop prend quatre entiers\xA0: colonne, ligne, largeur, hauteur")
+      _ -> Left (say "four integers: column, row, width, height" "quatre entiers\xA0: colonne, ligne, largeur, hauteur")
     strict = switch (long "strict" <> help (say "draw nothing if the scene has faults" "ne rien dessiner si la scène a des fautes"))
 
     scene = path "SCENE"
