@@ -60,13 +60,17 @@ planarOscillators open position n aperture
   | otherwise =
     [ position - (w / 2) *^ right - (h / 2) *^ up + x *^ right + y *^ up
       | i <- [0 .. nx - 1],
-        let x = fromInteger i * (w / fromInteger (nx - 1)),
+        let x = along i nx w,
         j <- [0 .. ny - 1],
-        let y = fromInteger j * (h / fromInteger (ny - 1)),
+        let y = along j ny h,
         open x y
     ]
   where
     (nx, ny) = oscillatorGrid n aperture
+    -- The last one stands on the far edge exactly, where a product of rounded steps may overshoot.
+    along i count side
+      | i == count - 1 = side
+      | otherwise = fromInteger i * (side / fromInteger (count - 1))
     w = apertureWidth aperture
     h = apertureHeight aperture
     front = made (apertureFront aperture)
