@@ -26,7 +26,7 @@ import Dioptre.Files.Number (PictureNumber)
 import Dioptre.Scene.Configuration (Configuration (..))
 import Dioptre.Source.Language (Language (..), fromLocale, inLanguage, languageNames)
 import Dioptre.Syntax.Value (integer)
-import GHC.Conc (setNumCapabilities)
+import GHC.Conc (getNumProcessors, setNumCapabilities)
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding)
 import GHC.IO.Exception (IOErrorType (ResourceVanished), ioe_type)
 import Options.Applicative hiding (info, optional, some, (<|>))
@@ -73,7 +73,7 @@ main = do
     let settings = commandSettings asked
         l = fromMaybe habitual (settingLanguage settings)
         first = either (const minBound) (\(_, c, _) -> firstNumber c) configuration
-    mapM_ setNumCapabilities (settingThreads settings)
+    maybe getNumProcessors pure (settingThreads settings) >>= setNumCapabilities
     journal <- newJournal l (not (settingQuiet settings))
     exitWith =<< case commandWork asked of
       Configured -> run journal configuration

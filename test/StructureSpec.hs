@@ -6,7 +6,7 @@ where
 
 import Control.Monad (forM, forM_)
 import Data.List (elemIndex, isPrefixOf, isSuffixOf, sort, stripPrefix)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isNothing, mapMaybe)
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.FilePath (dropExtension, splitDirectories, (</>))
 import Test.Hspec (Spec, it, shouldBe, shouldSatisfy)
@@ -20,7 +20,7 @@ spec = do
     offences `shouldBe` []
   it "puts every module into a stage" $ do
     modules <- sources "src"
-    [m | path <- modules, let { m = moduleName "src" path }, stageOf m == Nothing] `shouldBe` []
+    [m | path <- modules, let { m = moduleName "src" path }, isNothing (stageOf m)] `shouldBe` []
   it "runs every spec" $ do
     specs <- filter ("Spec" `isSuffixOf`) . map (moduleName "test") <$> sources "test"
     listed <- filter ("Spec" `isSuffixOf`) <$> importsOf "test/Main.hs"

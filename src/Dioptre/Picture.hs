@@ -25,8 +25,11 @@ import Data.Word (Word8)
 --
 -- Invariant: 4 width height bytes.
 data Picture = Picture
-  { pictureWidth :: !Int,
+  { -- | In pixels.
+    pictureWidth :: !Int,
+    -- | In pixels.
     pictureHeight :: !Int,
+    -- | Four bytes a pixel, row by row from the top left.
     pictureBytes :: !(Storable.Vector Word8)
   }
   deriving stock (Eq, Show)

@@ -65,7 +65,8 @@ import Data.List (foldl')
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Geometry.Round (faceDepth)
 import Dioptre.Math.Transform (Placement, transformPosition)
-import Dioptre.Math.Vector (Packed, Point, Unit, V3 (..), packed, unit, unpacked, vector, (*^))
+import Dioptre.Math.Vector (Packed, Point, Unit, packed, unit, unpacked, vector, (*^))
+import Linear.V3 (V3 (..))
 
 -- | The points between two corners, in each coordinate; faces, edges and corners belong to it.
 data Box = Box {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed

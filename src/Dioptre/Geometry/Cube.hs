@@ -1,5 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE HexFloatLiterals #-}
 
 -- |
 -- Module      : Dioptre.Geometry.Cube
@@ -33,12 +34,15 @@ where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Tolerance (surfaceThickness)
-import Dioptre.Math.Vector (Point, Unit, V3 (..), alongX, alongY, alongZ, opposite)
+import Dioptre.Math.Vector (Point, Unit, alongX, alongY, alongZ, opposite)
 import GHC.Exts (build)
+import Linear.V3 (V3 (..))
 
 -- | A cube whose edges are parallel to the axes.
 data Cube = Cube
-  { cubeCentre :: Point,
+  { -- | The centre, C.
+    cubeCentre :: Point,
+    -- | The length of an edge, 2 h; greater than zero.
     cubeSize :: Double
   }
   deriving stock (Eq, Show)
@@ -58,12 +62,18 @@ cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
       !(V3 dx dy dz) = direction r
       !(Slab nearZ farZ) = slab (cz - h) (cz + h) oz dz
       !(Slab nearY farY) = slab (cy - h) (cy + h) oy dy
-      !(Slab nearX farX) = slab (cx - h) (cx + h) ox dx
-      !enter = larger nearZ (larger nearY nearX)
-      !leave = smaller farZ (smaller farY farX)
-      !inside = leave - enter
-   in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
-      if inside >= 0 && inside < infinity then cons enter (cons leave nil) else nil
+      !enterYZ = larger nearZ nearY
+      !leaveYZ = smaller farZ farY
+   in -- Most lines miss in two of the three slabs already.
+      if enterYZ > leaveYZ
+        then nil
+        else
+          let !(Slab nearX farX) = slab (cx - h) (cx + h) ox dx
+              !enter = larger enterYZ nearX
+              !leave = smaller leaveYZ farX
+              !inside = leave - enter
+           in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
+              if inside >= 0 && inside <= largestFinite then cons enter (cons leave nil) else nil
 {-# INLINE cubeParameters #-}
 
 -- | The interval in which a line is inside a slab.
@@ -84,6 +94,10 @@ larger a b = if a > b then a else b
 smaller a b = if a < b then a else b
 {-# INLINE larger #-}
 {-# INLINE smaller #-}
+
+largestFinite :: Double
+largestFinite = 0x1.fffffffffffffp1023
+{-# INLINE largestFinite #-}
 
 infinity :: Double
 infinity = 1 / 0

@@ -33,7 +33,9 @@ import Dioptre.Math.Vector (Point, Unit, distance)
 
 -- | A disk: its plane, whose position is the centre, and its radius.
 data Disk = Disk
-  { diskPlane :: Plane,
+  { -- | The plane that it lies in; its position is the centre.
+    diskPlane :: Plane,
+    -- | The radius, R; greater than zero.
     diskRadius :: Double
   }
   deriving stock (Eq, Show)
@@ -46,8 +48,11 @@ disk p r
 
 -- | A flat ring: its plane, whose position is the centre, and its two radii.
 data Annulus = Annulus
-  { annulusPlane :: Plane,
+  { -- | The plane that it lies in; its position is the centre.
+    annulusPlane :: Plane,
+    -- | The radius of the hole, from 0 to the outer one.
     annulusInner :: Double,
+    -- | The radius of the rim.
     annulusOuter :: Double
   }
   deriving stock (Eq, Show)

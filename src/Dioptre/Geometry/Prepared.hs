@@ -49,9 +49,10 @@ import Dioptre.Geometry.Tube (tubeNormal, tubeParameters)
 import Dioptre.Geometry.Uv (coneUv, cubeUv, cylinderUv, diskUv, planeUv, sideUv, sphereUv, torusUv, triangleUv)
 import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Transform (inversePosition, transformNormal)
-import Dioptre.Math.Vector (Packed, Point, Unit, distance, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector, (*^))
+import Dioptre.Math.Vector (Packed, Point, Unit, distance, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
 import GHC.Exts (build)
 import Linear.V2 (V2)
+import qualified Linear.Vector as Linear
 
 -- | A shape that rays can meet, as plain numbers.
 data Prepared
@@ -213,7 +214,7 @@ textureAt shape r t = case shape of
   Triangle a b c _ -> triangleUv (barycentric (unpacked a) (unpacked b) (unpacked c) v)
   SmoothTriangle a b c _ _ (Corners uv0 uv1 uv2) ->
     let (t1, t2) = barycentric (unpacked a) (unpacked b) (unpacked c) v
-     in (1 - t1 - t2) *^ uv0 + t1 *^ uv1 + t2 *^ uv2
+     in (1 - t1 - t2) Linear.*^ uv0 + t1 Linear.*^ uv1 + t2 Linear.*^ uv2
   Tube a -> along a (\p1 s h _ -> sideUv p1 s h v)
   Cylinder a -> along a cylinderUv outward v
   Cone a -> along a coneUv outward v

@@ -48,7 +48,9 @@ import Dioptre.Math.Vector (Point, distance)
 
 -- | A segment between two different points.
 data Axis = Axis
-  { axisStart :: Point,
+  { -- | P1.
+    axisStart :: Point,
+    -- | P2; not P1.
     axisEnd :: Point
   }
   deriving stock (Eq, Show)
@@ -61,7 +63,9 @@ axis a b
 
 -- | An axis and a radius: a tube, a cylinder or a cone.
 data Round = Round
-  { roundAxis :: Axis,
+  { -- | Its axis; a cone's leads from the base to the apex.
+    roundAxis :: Axis,
+    -- | The radius, R (a cone's at its base); greater than zero.
     roundRadius :: Double
   }
   deriving stock (Eq, Show)
@@ -74,7 +78,9 @@ roundShape a r
 
 -- | A lens: its rim, and the signed radii of curvature of its faces at P1 and at P2, positive where the face bulges outwards.
 data Lens = Lens
-  { lensBody :: Round,
+  { -- | The axis and the rim.
+    lensBody :: Round,
+    -- | The radii of curvature at P1 and P2.
     lensCurvatures :: (Double, Double)
   }
   deriving stock (Eq, Show)
@@ -94,7 +100,9 @@ faceDepth r c = signum c * (r * r) / (abs c + sqrt ((abs c - r) * (abs c + r)))
 
 -- | The curved cap of a sphere over a disk, without the disk.
 data Cap = Cap
-  { capDisk :: Disk,
+  { -- | The disk that it stands over.
+    capDisk :: Disk,
+    -- | The signed radius of curvature, c: positive bulges along the disk's normal.
     capCurvature :: Double
   }
   deriving stock (Eq, Show)
@@ -107,8 +115,11 @@ cap d c
 
 -- | A torus: the plane of its circle, the radius of the circle, and that of the tube.
 data Torus = Torus
-  { torusPlane :: Plane,
+  { -- | The plane of the circle; its position is the centre.
+    torusPlane :: Plane,
+    -- | The radius of the circle; greater than zero.
     torusMajor :: Double,
+    -- | The radius of the tube; greater than zero.
     torusMinor :: Double
   }
   deriving stock (Eq, Show)

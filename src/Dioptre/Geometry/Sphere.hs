@@ -35,7 +35,9 @@ import Dioptre.Math.Vector (Point, Unit, alongZ, distance, dot, unit)
 
 -- | A sphere.
 data Sphere = Sphere
-  { sphereCentre :: Point,
+  { -- | The centre, C.
+    sphereCentre :: Point,
+    -- | The radius, R; greater than zero.
     sphereRadius :: Double
   }
   deriving stock (Eq, Show)

@@ -41,8 +41,9 @@ import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Plane (planeParameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Tolerance (collinearSine)
-import Dioptre.Math.Vector (Point, Unit, V3 (..), Vector, cross, dot, modulus, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, modulus, unit, vector, (*^))
 import Linear.V2 (V2)
+import Linear.V3 (V3 (..))
 
 -- | Something for each corner, in the order P0, P1, P2.
 data Corners a = Corners a a a
@@ -50,7 +51,8 @@ data Corners a = Corners a a a
 
 -- | A flat triangle.
 data Triangle = Triangle
-  { trianglePoints :: Corners Point,
+  { -- | The corners, P0, P1, P2.
+    trianglePoints :: Corners Point,
     -- | (P1 - P0) x (P2 - P0), made unit: P0, P1, P2 turn counter-clockwise when seen from where it points.
     triangleNormal :: Unit
   }
@@ -75,6 +77,7 @@ data SmoothTriangle = SmoothTriangle
     smoothTriangleFlat :: Triangle,
     -- | The corners' normals, of any length but zero.
     smoothTriangleNormals :: Corners Vector,
+    -- | The corners' texture coordinates.
     smoothTriangleUvs :: Corners (V2 Double)
   }
   deriving stock (Eq, Show)

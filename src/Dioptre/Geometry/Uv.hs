@@ -39,8 +39,9 @@ module Dioptre.Geometry.Uv
 where
 
 import Dioptre.Geometry.Tube (across)
-import Dioptre.Math.Vector (Point, Unit, V3 (..), Vector, alongX, alongY, alongZ, cross, dot, modulus, opposite, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, Unit, Vector, alongX, alongY, alongZ, cross, dot, modulus, opposite, unit, vector, (*^))
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 
 -- | Two unit vectors across n, which together with it are a right-handed frame: e1 is the axis of n's smallest component (by magnitude; the first
 -- on ties) less its part along n, made unit, and e2 = n x e1.

@@ -26,7 +26,8 @@ where
 
 import qualified Data.Vector.Unboxed as Unboxed
 import Dioptre.Light.Light (Aperture (..), Wave (..))
-import Dioptre.Math.Vector (Point, V3 (..), cross, distance, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, cross, distance, unit, vector, (*^))
+import Linear.V3 (V3 (..))
 
 -- | No light has more sources than this.
 mostOscillators :: Integer

@@ -145,6 +145,8 @@ linear a b
 -- A copy of this stands wherever a shape solves its equation, so it holds the ordinary case and nothing else.
 quadratic :: Double -> Double -> Double -> Roots
 quadratic a b c
+  -- Most rays miss. Rounding keeps order, so that u < v proves D < 0, whatever a and b are.
+  | roomy (u + abs v) && u - v < 0 = None
   | roomy (u + abs v) && roomy (abs a) && b /= 0 = solved (/) a b c u v
   | otherwise = quadraticElsewhere a b c
   where

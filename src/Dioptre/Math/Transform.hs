@@ -58,7 +58,8 @@ module Dioptre.Math.Transform
 where
 
 import Data.Maybe (fromMaybe)
-import Dioptre.Math.Vector (Packed, Point, Unit, V3 (..), Vector, dot, packed, unit, unpacked, vector, (*^))
+import Dioptre.Math.Vector (Packed, Point, Unit, Vector, dot, packed, unit, unpacked, vector, (*^))
+import Linear.V3 (V3 (..))
 import Linear.V4 (V4 (..))
 
 -- | A transformation that can be undone.

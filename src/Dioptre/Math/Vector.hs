@@ -6,7 +6,7 @@
 --
 -- The vectors of the ray tracer: positions and displacements in world space, in the scene's unit of length,
 -- in a right-handed frame. They are "Linear"'s 'V3' over 'Double', so the whole vocabulary of that library works
--- on them; this module re-exports the part the tracer speaks, and adds what it says differently:
+-- on them; this module names the part the tracer speaks, and adds what it says differently:
 --
 -- * 'unit' is absent for the zero vector only (the library's @normalize@ leaves vectors shorter than 1e-6 as they are);
 -- * 'mix' runs from its first argument to its second (the library's @lerp@ changed its direction between versions);
@@ -17,7 +17,6 @@ module Dioptre.Math.Vector
   ( -- * Vectors
     Vector,
     Point,
-    V3 (..),
     dot,
     cross,
     quadrance,
@@ -47,15 +46,47 @@ module Dioptre.Math.Vector
   )
 where
 
-import Linear.Metric (dot, quadrance)
-import Linear.V3 (V3 (..), cross)
-import Linear.Vector ((*^), (^/))
+import qualified Linear.Metric as Linear
+import Linear.V3 (V3 (..))
+import qualified Linear.V3 as Linear
+import qualified Linear.Vector as Linear
 
 -- | A displacement, or a direction of any length, in world space.
 type Vector = V3 Double
 
 -- | A position in world space.
 type Point = V3 Double
+
+-- | The dot product, (a_x b_x + a_y b_y) + a_z b_z.
+--
+-- Law: bilinear; zero for orthogonal vectors.
+dot :: Vector -> Vector -> Double
+dot = Linear.dot
+{-# INLINE dot #-}
+
+-- | The cross product, (a_y b_z - a_z b_y, a_z b_x - a_x b_z, a_x b_y - a_y b_x): orthogonal to both, right-handed.
+--
+-- Law: bilinear; a x b = -(b x a), to the bit.
+cross :: Vector -> Vector -> Vector
+cross = Linear.cross
+{-# INLINE cross #-}
+
+-- | The square of the length, (x x + y y) + z z.
+quadrance :: Vector -> Double
+quadrance = Linear.quadrance
+{-# INLINE quadrance #-}
+
+infixl 7 *^, ^/
+
+-- | A number times a vector.
+(*^) :: Double -> Vector -> Vector
+(*^) = (Linear.*^)
+{-# INLINE (*^) #-}
+
+-- | A vector divided by a number, component by component.
+(^/) :: Vector -> Double -> Vector
+(^/) = (Linear.^/)
+{-# INLINE (^/) #-}
 
 -- | The length of a vector, sqrt ((x x + y y) + z z). It overflows beyond 1e154 and loses digits below 1e-146:
 -- the scene language admits no component above 1e100 ("Dioptre.Syntax.Value").

@@ -110,7 +110,7 @@ data Row = Row
     rowRays :: !Int,
     -- | How many times a ray was tested against a shape.
     rowTests :: !Int,
-    -- | How many samples wanted more rays than are followed ('mostRays').
+    -- | How many samples wanted more rays than are followed ("Dioptre.Render.Shade" counts them).
     rowCut :: !Int
   }
   deriving stock (Eq, Show)

@@ -36,12 +36,13 @@ import Dioptre.Light.Colour (Colour (..), black, filtered, plus, scaled)
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Packed, Point, Unit, V3 (..), Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
+import Dioptre.Math.Vector (Packed, Point, Unit, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Stage
 import Dioptre.Render.Texture (texel)
 import Dioptre.Render.World (Closest (..), closest, shapeAt, worldShapes)
+import Linear.V3 (V3 (..))
 
 -- | What a ray sees.
 data Seen = Seen
@@ -93,22 +94,26 @@ follow s terms far = go 0 0 black
       | followed >= mostRays = Seen total rays True
       | otherwise = case closest (stageWorld s) r far of
         Nowhere -> go (followed + 1) (rays + 1) total rest
-        At t i -> case (lighting s terms r t i, shapeAt (stageWorld s) i) of
-          (Lit red' green' blue' n, Just shape) ->
+        At t i -> case lighting s terms r t i of
+          Lit red' green' blue' n ->
+            -- The number of the closest shape is that of a shape.
             let !total' = total `plus` Colour (wr * red') (wg * green') (wb * blue') 1
-                !bounces = if depth < stageDepth s then branches shape r t i depth wr wg wb index rest else rest
+                !bounces = if depth < stageDepth s then branches (Vector.unsafeIndex (worldShapes (stageWorld s)) i) r t i depth wr wg wb index rest else rest
              in go (followed + 1) (rays + 1 + n) total' bounces
-          (_, Nothing) -> go (followed + 1) (rays + 1) total rest
 
     -- The reflected ray goes on top, so that it is followed first.
-    branches shape r t i depth wr wg wb index rest = mirrored (through rest)
+    branches !shape !r !t !i !depth !wr !wg !wb !index rest
+      | kr == 0 && not (isTransparent surf) = rest
+      | otherwise = mirrored (through rest)
       where
-        surf = surfaceOf s i
-        outward = normalAt shape r t
-        n = shadingNormal r outward
+        !surf = surfaceOf s i
+        !kr = surfaceMirror surf
+        outward = unpackedUnit outwardAtRest
+        n = unpackedUnit nAtRest
+        !outwardAtRest = packedUnit (normalAt shape r t)
+        !nAtRest = packedUnit (shadingNormal r outward)
         v = direction r
         p = position r t
-        kr = surfaceMirror surf
         mirrored stack
           | kr == 0 = stack
           | otherwise = Pending (ray p (reflected v n)) (depth + 1) (kr * wr) (kr * wg) (kr * wb) index `Then` stack

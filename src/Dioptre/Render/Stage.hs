@@ -38,13 +38,14 @@ import Dioptre.Light.Light (Aperture (..), Lamp (..), Light (..), Opening (..), 
 import Dioptre.Light.Material (Material (..), Textures (..), ambientColour, diffuseColour, specularColour)
 import Dioptre.Light.Wave (linearOscillators, planarOscillators)
 import Dioptre.Light.Wavelength (colourOfWavelength)
-import Dioptre.Math.Vector (Packed, Point, V3 (..), packed, unit, vector, (*^))
+import Dioptre.Math.Vector (Packed, Point, packed, unit, vector, (*^))
 import Dioptre.Picture (Picture)
 import Dioptre.Render.Texture (Assets, texel)
 import Dioptre.Render.World (World, world, worldMaterials)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 
 -- | Everything that the colour of a ray depends on.
 data Stage = Stage

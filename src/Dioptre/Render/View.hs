@@ -26,8 +26,9 @@ module Dioptre.Render.View
 where
 
 import Dioptre.Geometry.Ray (Ray, ray)
-import Dioptre.Math.Vector (Packed, Point, V3, cross, packed, unit, unpacked, vector, (*^), (^/))
+import Dioptre.Math.Vector (Packed, Point, cross, packed, unit, unpacked, vector, (*^), (^/))
 import Dioptre.Scene.Camera (Camera, CameraSettings (..), Viewport, cameraFront, cameraSettings, cameraUp, viewportHeight, viewportWidth)
+import Linear.V3 (V3)
 
 -- | A camera and a viewport, prepared.
 data View = View

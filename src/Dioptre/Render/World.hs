@@ -35,7 +35,8 @@ import Dioptre.Scene.Primitive (Primitive (..))
 
 -- | Shapes and, under the same numbers, their materials. In the order of the scene.
 data World = World
-  { worldShapes :: !(Vector Prepared),
+  { -- | The shapes, made ready.
+    worldShapes :: !(Vector Prepared),
     -- | The material of each shape.
     worldMaterials :: !(Vector Material)
   }

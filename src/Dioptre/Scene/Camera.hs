@@ -35,11 +35,12 @@ where
 
 import Data.Text (Text)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Point, Unit, V3 (..), Vector, alongY, alongZ, cross, modulus, unit, vector)
+import Dioptre.Math.Vector (Point, Unit, Vector, alongY, alongZ, cross, modulus, unit, vector)
 import Dioptre.Scene.Form (count, outputName, positive, realWithin, vectorForm, withUnit)
 import Dioptre.Scene.Schema (Schema (..), one)
 import Dioptre.Source.Diagnostic (Flaw (..))
 import qualified Dioptre.Syntax.Keyword as Keyword
+import Linear.V3 (V3 (..))
 
 -- | What a scene says of its camera.
 data CameraSettings = CameraSettings
@@ -58,7 +59,8 @@ data CameraSettings = CameraSettings
 
 -- | A camera that has a direction: its settings and the frame that follows from them.
 data Camera = Camera
-  { cameraSettings :: CameraSettings,
+  { -- | What the scene says of it.
+    cameraSettings :: CameraSettings,
     -- | From the position to what it looks at.
     cameraFront :: Unit,
     -- | Orthogonal to the front.
@@ -101,8 +103,11 @@ cameraSchema =
 
 -- | The picture's size in pixels, and the name of its file (a number and @.png@ are added).
 data Viewport = Viewport
-  { viewportWidth :: Int,
+  { -- | In pixels; at least 1.
+    viewportWidth :: Int,
+    -- | In pixels; at least 1.
     viewportHeight :: Int,
+    -- | The name of the picture's file, without number and ending.
     viewportImage :: Text
   }
   deriving stock (Eq, Show)

@@ -47,13 +47,14 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..), named, names)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (V3 (..), Vector, modulus)
+import Dioptre.Math.Vector (Vector, modulus)
 import Dioptre.Source.Diagnostic (Expectation (..), Guess (..), Range (..), Refusal (..))
 import Dioptre.Source.Span (Span)
 import Dioptre.Syntax.Spelling (suggest)
 import Dioptre.Syntax.Tree (Value (..))
 import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, showReal, tokens)
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 
 -- | How values of a type are read, expected and written. A refusal carries the place that it is about.
 data Form v = Form

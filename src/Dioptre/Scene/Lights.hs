@@ -16,7 +16,7 @@ import Dioptre.Light.Colour (Colour, white)
 import Dioptre.Light.Light
 import Dioptre.Light.Wave (mostOscillators, oscillatorGrid)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Point, V3 (..), Vector, cross, modulus)
+import Dioptre.Math.Vector (Point, Vector, cross, modulus)
 import Dioptre.Scene.Form (colourForm, count, positive, realFrom, text, vectorForm, withUnit)
 import Dioptre.Scene.Schema
 import Dioptre.Scene.Shapes (readShape, writeShape)
@@ -25,6 +25,7 @@ import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline)
 import Dioptre.Syntax.Tree (Block (..), Head (..))
+import Linear.V3 (V3 (..))
 
 -- | The light that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no light's.
 readLight :: Block -> Check (Maybe Light)

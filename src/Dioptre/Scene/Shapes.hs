@@ -22,7 +22,7 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (Sphere, sphere, sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), SmoothTriangle, Triangle, smoothTriangle, smoothTriangleFlat, smoothTriangleNormals, smoothTriangleUvs, triangle, trianglePoints)
 import Dioptre.Math.Transform (Transform, transform, transformRotation, transformScale, transformTranslation)
-import Dioptre.Math.Vector (Point, V3 (..), Vector)
+import Dioptre.Math.Vector (Point, Vector)
 import Dioptre.Scene.Form (directionForm, optionally, positive, realFrom, realThatIsAny, scaleForm, textureForm, vectorForm)
 import Dioptre.Scene.Schema
 import Dioptre.Source.Diagnostic (Expectation, Flaw (..), Refusal (SamePoint))
@@ -31,6 +31,7 @@ import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline)
 import Dioptre.Syntax.Tree (Block (..), Head (..))
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 
 -- | The shape that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no shape's.
 readShape :: Block -> Check (Maybe Shape)

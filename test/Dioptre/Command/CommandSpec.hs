@@ -50,7 +50,7 @@ spec = do
       Text.writeFile "p.png" "old"
       (code, out, _) <- heard (render' plainOptions {optionOutput = ToFile "p.png"})
       (code, out) `shouldBe` (ExitSuccess, "p.png\n")
-      Bytes.take 4 <$> Bytes.readFile "p.png" >>= (`shouldBe` "\x89PNG")
+      Bytes.readFile "p.png" >>= (`shouldBe` "\x89PNG") . Bytes.take 4
     it "refuses to replace the scene by its picture" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       (code, _, _) <- heard (render' plainOptions {optionOutput = ToFile "./s.txt"})

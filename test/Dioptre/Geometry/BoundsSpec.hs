@@ -6,8 +6,9 @@ module Dioptre.Geometry.BoundsSpec (spec) where
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Bounds
 import Dioptre.Geometry.Ray (Ray, ray)
-import Dioptre.Math.Vector (Point, V3 (..), alongZ)
+import Dioptre.Math.Vector (Point, alongZ)
 import Laws.Bounds
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (checkCoverage, cover, property)

@@ -5,9 +5,10 @@ module Dioptre.Geometry.CapSpec (spec) where
 
 import Dioptre.Geometry.Cap
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), alongZ)
+import Dioptre.Math.Vector (alongZ)
 import Laws.Draw (ulpsApart)
 import Laws.Round
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 

@@ -7,8 +7,9 @@ module Dioptre.Geometry.ConeSpec (spec) where
 
 import Dioptre.Geometry.Cone
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), alongZ, dot, opposite, vector)
+import Dioptre.Math.Vector (alongZ, dot, opposite, vector)
 import Laws.Round
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 

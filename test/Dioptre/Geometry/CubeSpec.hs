@@ -3,9 +3,10 @@ module Dioptre.Geometry.CubeSpec (spec) where
 
 import Dioptre.Geometry.Cube
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), vector, (*^))
+import Dioptre.Math.Vector (vector, (*^))
 import Laws.Aim
 import Laws.Shape
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (vector)

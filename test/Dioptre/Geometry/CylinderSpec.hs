@@ -5,8 +5,9 @@ module Dioptre.Geometry.CylinderSpec (spec) where
 
 import Dioptre.Geometry.Cylinder
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), alongX, alongZ, opposite)
+import Dioptre.Math.Vector (alongX, alongZ, opposite)
 import Laws.Round
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 

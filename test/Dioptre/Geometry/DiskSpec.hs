@@ -5,9 +5,10 @@ import Data.Foldable (for_)
 import Dioptre.Geometry.Disk
 import Dioptre.Geometry.Plane (plane)
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), alongX)
+import Dioptre.Math.Vector (alongX)
 import Laws.Aim
 import Laws.Shape
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck

@@ -8,8 +8,8 @@ import Dioptre.Geometry.Placement (carriedBack, carriedForth, placement)
 import Dioptre.Geometry.Ray (ray)
 import Dioptre.Geometry.Sphere (sphereParameters)
 import Dioptre.Math.Transform (identity, transform)
-import Dioptre.Math.Vector (V3 (..))
 import Laws.Transform
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 

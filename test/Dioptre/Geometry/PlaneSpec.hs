@@ -3,9 +3,10 @@ module Dioptre.Geometry.PlaneSpec (spec) where
 
 import Dioptre.Geometry.Plane
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), alongZ)
+import Dioptre.Math.Vector (alongZ)
 import Laws.Aim
 import Laws.Shape
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck

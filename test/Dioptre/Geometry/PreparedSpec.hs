@@ -4,10 +4,11 @@ module Dioptre.Geometry.PreparedSpec (spec) where
 import Data.Foldable (for_)
 import Dioptre.Geometry.Prepared
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Math.Vector (V3 (..), alongX, opposite)
+import Dioptre.Math.Vector (alongX, opposite)
 import Laws.Aim
 import Laws.Shape
 import Laws.Verdict (isSure, verdict)
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck

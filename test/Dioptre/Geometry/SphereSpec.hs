@@ -3,9 +3,10 @@ module Dioptre.Geometry.SphereSpec (spec) where
 
 import Dioptre.Geometry.Ray (ray)
 import Dioptre.Geometry.Sphere
-import Dioptre.Math.Vector (V3 (..), alongZ, vector)
+import Dioptre.Math.Vector (alongZ, vector)
 import Laws.Aim
 import Laws.Shape
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (vector)

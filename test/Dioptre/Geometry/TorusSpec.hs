@@ -5,8 +5,9 @@ module Dioptre.Geometry.TorusSpec (spec) where
 
 import Dioptre.Geometry.Ray (ray)
 import Dioptre.Geometry.Torus (torusContains, torusNormal, torusParameters)
-import Dioptre.Math.Vector (V3 (..), alongX, alongZ, opposite)
+import Dioptre.Math.Vector (alongX, alongZ, opposite)
 import Laws.Torus
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (checkCoverage, cover, property)

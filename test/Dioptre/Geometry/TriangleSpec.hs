@@ -4,11 +4,12 @@ module Dioptre.Geometry.TriangleSpec (spec) where
 import Data.Foldable (for_)
 import Dioptre.Geometry.Ray (ray)
 import Dioptre.Geometry.Triangle
-import Dioptre.Math.Vector (V3 (..), vector)
+import Dioptre.Math.Vector (vector)
 import Laws.Aim
 import Laws.Shape
 import Laws.Triangle
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (vector)

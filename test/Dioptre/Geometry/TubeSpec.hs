@@ -5,8 +5,9 @@ module Dioptre.Geometry.TubeSpec (spec) where
 
 import Dioptre.Geometry.Ray (ray)
 import Dioptre.Geometry.Tube
-import Dioptre.Math.Vector (V3 (..), alongX, alongY, alongZ, opposite)
+import Dioptre.Math.Vector (alongX, alongY, alongZ, opposite)
 import Laws.Round
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 

@@ -4,9 +4,10 @@
 module Dioptre.Geometry.UvSpec (spec) where
 
 import Dioptre.Geometry.Uv
-import Dioptre.Math.Vector (V3 (..), alongX, alongY, alongZ, opposite)
+import Dioptre.Math.Vector (alongX, alongY, alongZ, opposite)
 import Laws.Uv
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 

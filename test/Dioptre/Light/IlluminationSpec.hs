@@ -6,6 +6,7 @@ import Dioptre.Light.Colour
 import Dioptre.Light.Illumination
 import Dioptre.Math.Vector
 import Laws.Light
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (checkCoverage, cover, property)

@@ -4,8 +4,8 @@ module Dioptre.Light.WaveSpec (spec) where
 import qualified Data.Vector.Unboxed as Unboxed
 import Dioptre.Light.Light (Aperture (..), Wave (..))
 import Dioptre.Light.Wave
-import Dioptre.Math.Vector
 import Laws.Light
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (property)

@@ -5,8 +5,9 @@ module Dioptre.Math.TransformSpec (spec) where
 
 import Data.Maybe (fromMaybe, isNothing)
 import Dioptre.Math.Transform
-import Dioptre.Math.Vector (V3 (..), Vector, alongX, alongY, alongZ, opposite, unit, vector)
+import Dioptre.Math.Vector (Vector, alongX, alongY, alongZ, opposite, unit, vector)
 import Laws.Transform
+import Linear.V3 (V3 (..))
 import Linear.V4 (V4 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)

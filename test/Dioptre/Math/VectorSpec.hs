@@ -4,6 +4,7 @@ module Dioptre.Math.VectorSpec (spec) where
 import Dioptre.Math.Vector
 import Laws.Draw (ulpsApart)
 import Laws.Vector
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck (checkCoverage, cover, property)

@@ -4,6 +4,7 @@ module Dioptre.Optics.ReflectionSpec (spec) where
 import Dioptre.Math.Vector
 import Dioptre.Optics.Reflection (reflect, reflected)
 import Laws.Optics
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (checkCoverage, cover, property)

@@ -6,6 +6,7 @@ import Dioptre.Math.Vector
 import Dioptre.Optics.Refraction (refract, refracted)
 import Laws.Draw (ulpsApart)
 import Laws.Optics
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 

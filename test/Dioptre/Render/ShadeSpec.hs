@@ -23,6 +23,7 @@ import Dioptre.Render.Row (Plan, Sampled (..), colourAt, plan)
 import Dioptre.Render.Shade
 import Dioptre.Render.Stage (stage)
 import Laws.Shade
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (checkCoverage, cover, property)

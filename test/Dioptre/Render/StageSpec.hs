@@ -18,6 +18,7 @@ import Dioptre.Picture (Picture, picture)
 import Dioptre.Render.Stage
 import Dioptre.Scene.Raytracer (ReflexionAlgorithm (..))
 import Laws.Shade (sceneOf)
+import Linear.V3 (V3 (..))
 import Test.Hspec
 
 spec :: Spec

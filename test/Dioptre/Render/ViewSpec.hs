@@ -4,10 +4,11 @@ module Dioptre.Render.ViewSpec (spec) where
 import Data.Foldable (for_)
 import qualified Data.Text as Text
 import Dioptre.Geometry.Ray (direction, origin)
-import Dioptre.Math.Vector (V3 (..), unit, vector)
+import Dioptre.Math.Vector (unit, vector)
 import Dioptre.Render.View
 import Dioptre.Scene.Camera
 import Laws.View
+import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 

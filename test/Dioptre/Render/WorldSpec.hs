@@ -18,9 +18,9 @@ import Dioptre.Geometry.Ray (Ray, ray)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere)
 import Dioptre.Geometry.Triangle (Corners (..), triangle)
-import Dioptre.Math.Vector (V3 (..))
 import Dioptre.Render.World
 import Laws.Closest
+import Linear.V3 (V3 (..))
 import System.Mem (getAllocationCounter, setAllocationCounter)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)

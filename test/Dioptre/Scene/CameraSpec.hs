@@ -5,11 +5,12 @@ module Dioptre.Scene.CameraSpec
   )
 where
 
-import Dioptre.Math.Vector (V3 (..), vector)
+import Dioptre.Math.Vector (vector)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera
 import Dioptre.Source.Diagnostic (Flaw (..))
 import Laws.Reading
+import Linear.V3 (V3 (..))
 import Test.Hspec
 
 spec :: Spec

@@ -14,7 +14,7 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleNormals, smoothTriangleUvs, triangleNormal, trianglePoints)
 import Dioptre.Light.Material (Material (..))
-import Dioptre.Math.Vector (V3 (..), vector)
+import Dioptre.Math.Vector (vector)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera
 import Dioptre.Scene.Check (sceneWords)
@@ -26,6 +26,7 @@ import Dioptre.Syntax.Keyword (allSpellings, fromSpelling, role, spelling)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Laws.Reading
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Test.Hspec hiding (Expectation)
 
 spec :: Spec

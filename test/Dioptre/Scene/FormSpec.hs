@@ -9,13 +9,13 @@ import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..))
-import Dioptre.Math.Vector (V3 (..))
 import Dioptre.Scene.Form
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Tree (Value (..))
 import Laws.Number (Admitted (..))
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Test.Hspec hiding (Expectation)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck (NonNegative (..), Property, chooseInt, forAll, (===), (==>))

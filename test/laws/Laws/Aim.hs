@@ -35,10 +35,11 @@ import Dioptre.Geometry.Ray (Ray, direction, origin, ray)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere, sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle
-import Dioptre.Math.Vector (Point, V3 (..), Vector, alongX, cross, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, Vector, alongX, cross, unit, vector, (*^))
 import Laws.Draw
 import Laws.Exact (components)
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 
 -- | The shapes that are drawn.

@@ -35,6 +35,7 @@ import Dioptre.Geometry.Sphere (sphereParameters)
 import Dioptre.Geometry.Torus (torusParameters)
 import Dioptre.Math.Transform (identity, placement, transform, transformPosition)
 import Dioptre.Math.Vector
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 
 -- | A box.

@@ -25,7 +25,6 @@ import Dioptre.Geometry.Prepared (parameters)
 import Dioptre.Geometry.Ray (Ray, ray)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Light.Material (Material (..), standard, substitute)
-import Dioptre.Math.Vector (V3 (..))
 import Dioptre.Render.World
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (defaultCamera, defaultViewport)
@@ -33,6 +32,7 @@ import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (defaultRaytracer)
 import Laws.Aim
 import Laws.Draw
+import Linear.V3 (V3 (..))
 import Test.QuickCheck
 
 -- | Several shapes and a ray that is aimed at one of them. Some shapes are there twice, some touch, some are around

@@ -28,8 +28,9 @@ module Laws.Draw
   )
 where
 
-import Dioptre.Math.Vector (V3 (..), Vector)
+import Dioptre.Math.Vector (Vector)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
+import Linear.V3 (V3 (..))
 import Test.QuickCheck
 
 -- | How many digits numbers have, and how large they are.

@@ -32,7 +32,8 @@ where
 
 import Data.Bits (shiftR)
 import Data.Ratio (denominator, numerator)
-import Dioptre.Math.Vector (V3 (..), Vector)
+import Dioptre.Math.Vector (Vector)
+import Linear.V3 (V3 (..))
 
 -- | The largest relative error of one rounding: 2^-53.
 eps :: Rational

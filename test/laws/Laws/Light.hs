@@ -56,6 +56,7 @@ import Dioptre.Light.Wave
 import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector
 import Laws.Draw
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (scale, vector, within)
 
 -- | The largest relative error of one rounding.

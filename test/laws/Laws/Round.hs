@@ -55,9 +55,10 @@ import Dioptre.Geometry.Lens (lensContains, lensNormal, lensParameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Tube (tubeLineParameters, tubeNormal, tubeParameters)
 import Dioptre.Geometry.Uv (frame)
-import Dioptre.Math.Vector (Point, Unit, V3 (..), Vector, alongZ, cross, dot, modulus, opposite, unit, valid, vector, (*^))
+import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, cross, dot, modulus, opposite, unit, valid, vector, (*^))
 import Laws.Draw
 import Laws.Exact
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (scale, vector)
 
 -------------------------------------------------------------------------------

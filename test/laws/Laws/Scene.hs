@@ -47,7 +47,7 @@ import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Light.Light
 import Dioptre.Light.Material
 import Dioptre.Math.Transform
-import Dioptre.Math.Vector (V3 (..), Vector, modulus, vector)
+import Dioptre.Math.Vector (Vector, modulus, vector)
 import qualified Dioptre.Math.Vector as Vector
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera
@@ -56,6 +56,7 @@ import Dioptre.Scene.Raytracer
 import Laws.Number (admitted)
 import Laws.Reading (Reading (..), errorsOf, readBytes, readText)
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Numeric (showEFloat, showFFloat)
 import Test.QuickCheck hiding (vector, within)
 

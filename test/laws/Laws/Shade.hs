@@ -81,6 +81,7 @@ import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
 import Dioptre.Source.Diagnostic (Diagnostic (..), Severity (..), severity)
 import Dioptre.Source.Text (fromText)
 import Dioptre.Syntax.Grammar (parse)
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (Small, vector, within)
 
 -------------------------------------------------------------------------------

@@ -54,11 +54,12 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereParameters, sphereRadius)
 import Dioptre.Geometry.Triangle
 import Dioptre.Math.Tolerance (surfaceThickness)
-import Dioptre.Math.Vector (Unit, V3 (..), Vector, distance, dot, opposite, unit, valid, vector, (*^))
+import Dioptre.Math.Vector (Unit, Vector, distance, dot, opposite, unit, valid, vector, (*^))
 import Laws.Aim
 import Laws.Draw
 import Laws.Exact
 import Laws.Verdict
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 
 -- | The laws of a ray and a shape that hold of every sort.

@@ -32,6 +32,7 @@ import Data.List (sort)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Torus (torusContains, torusNormal, torusParameters)
 import Dioptre.Math.Vector
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 
 -- | Centre, axis, radii, and a ray that passes nearby.

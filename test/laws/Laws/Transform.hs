@@ -31,6 +31,7 @@ import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Math.Transform
 import Dioptre.Math.Vector
 import Linear.Matrix ((!*!))
+import Linear.V3 (V3 (..))
 import Linear.V4 (V4 (..))
 import Test.QuickCheck hiding (vector)
 

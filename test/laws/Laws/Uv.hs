@@ -24,9 +24,10 @@ where
 
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Uv
-import Dioptre.Math.Vector (Point, Unit, V3 (..), alongX, alongY, alongZ, cross, dot, modulus, opposite, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, Unit, alongX, alongY, alongZ, cross, dot, modulus, opposite, unit, vector, (*^))
 import Laws.Draw
 import Linear.V2 (V2 (..))
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector, within)
 
 -- | A point, a unit normal there, and a size.

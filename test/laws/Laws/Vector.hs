@@ -53,6 +53,7 @@ import Dioptre.Math.Vector
 import GHC.Float (castDoubleToWord64)
 import Laws.Draw
 import Laws.Exact
+import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 
 -- | A vector of integers up to 4096: sums, products and sums of products are exact.
