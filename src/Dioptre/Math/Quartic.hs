@@ -322,8 +322,8 @@ between p@(Poly a b c _ d e) criticals = case criticals of
           2 -> x * x * x
           _ -> (x * x) * (x * x)
         !allowed = smaller (0x1p-50 * s) (tolerance m * abs (taylor (m + 1) p x * power))
-    -- No root is farther from zero (Cauchy).
-    !bound = 1 + largest / lead
+    -- No root is farther from zero (Cauchy); a little more, since a root may be that far but for the rounding of the bound.
+    !bound = 0x1.0000000000004p0 * (1 + largest / lead)
     !largest = abs b `larger` abs c `larger` abs d `larger` abs e
     !lead = if a /= 0 then a else b
     !b3 = if a /= 0 then b / a else c / b

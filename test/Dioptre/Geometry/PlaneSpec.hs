@@ -25,6 +25,8 @@ spec = do
     it "meets a plane behind its origin" $ planeParameters (V3 7 7 5) alongZ (ray (V3 0 0 1) (V3 1 0 (-2))) `shouldBe` [-2]
     it "does not meet a plane that it lies in, or beside" $
       [planeParameters (V3 0 0 z) alongZ (ray (V3 3 4 5) (V3 1 2 0)) | z <- [5, 6]] `shouldBe` [[], []]
+    it "meets a plane at an angle above 2^-50 only" $
+      [planeParameters 0 alongZ (ray (V3 0 0 1) (V3 0 1 (negate slope))) | slope <- [2 ** (-49), 2 ** (-50), 2 ** (-51)]] `shouldBe` [[2 ** 49], [], []]
     prop "a ray along a plane misses it, and everything in it" raysAlongMiss
     prop "a ray exactly in a slanted plane misses it, and everything in it" (raysInSlantedPlanesMiss PlaneSort)
 

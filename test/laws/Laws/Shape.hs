@@ -53,7 +53,6 @@ import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereParameters, sphereRadius)
 import Dioptre.Geometry.Triangle
-import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Unit, Vector, distance, dot, opposite, unit, valid, vector, (*^))
 import Laws.Aim
 import Laws.Draw
@@ -313,7 +312,7 @@ turnedByQuarters (Aimed shape r) =
       ASmoothTriangle x | steep (smoothTriangleFlat x) && alone -> length us === length ts
       _ -> counterexample (show (there, us)) (not (isSure (verdict shape r)) || length us == length ts)
     small x = abs x <= 4096 && x * 2 == fromInteger (round (x * 2))
-    steep x = let (n, s, k) = triangleFrame x in abs (inner n (exact (direction r))) > gamma k * inner s (magnitudes (exact (direction r)))
+    steep x = crosses (triangleFrame x) r == Just True
     alone = let parts = abs <$> components (direction r) in length (filter (== maximum parts) parts) == 1
     turns = [\(V3 x y z) -> V3 x (-z) y, \(V3 x y z) -> V3 z y (-x), \(V3 x y z) -> V3 (-y) x z, \(V3 x y z) -> V3 y z x, \(V3 x y z) -> V3 z x y]
 
@@ -444,7 +443,7 @@ containsItsInside (Aimed shape r) = forAll place $ \p -> counterexample (show p)
       | size > inner' * (1 + gamma roundings) = answer === False
       | otherwise = property True
       where
-        inner' = limit * power (1 - toRational surfaceThickness)
+        inner' = limit * power (1 - toRational (1e-10 :: Double))
     place = oneof [pure (origin r), position r <$> number Full, near]
     near = case (shape, parametersOf shape r) of
       (ASphere x, t : _) -> (\k -> sphereCentre x + k *^ (position r t - sphereCentre x)) <$> shrinkage

@@ -47,7 +47,7 @@ orderOfCornersDoesNotMatter (Aimed shape r) = case shape of
   _ -> property True
   where
     hit t = parameters (preparedOf (ATriangle t)) r
-    steep t = let (n, s, k) = triangleFrame t in abs (inner n (exact (direction r))) > gamma k * inner s (magnitudes (exact (direction r)))
+    steep t = crosses (triangleFrame t) r == Just True
 
 -- | The barycentric coordinates of any point are near those that the same formula gives without rounding.
 --

@@ -18,6 +18,7 @@ module Laws.Verdict
     faceError,
     triangleFrame,
     flatFrame,
+    crosses,
 
     -- * Exact intersections
     exactSlabs,
@@ -88,16 +89,29 @@ triangleFrame t = (outer e1 e2, outerMagnitudes e1 e2, 10)
 planeResidual :: (Exact, Exact, Int) -> Exact -> Ray -> Rational -> Rational
 planeResidual (_, s, k) p r t = gamma k * (inner s (magnitudes (exact (origin r) - p)) + abs t * inner s (magnitudes (exact (direction r))))
 
+-- | Whether the ray crosses the plane: its angle with it has a sine, |<n, d>| \/ |n| |d|, above 2^-50. It is
+-- uncertain where the sine is as near to that as the rounding of \<n, d>, or 8 roundings of the sine itself: of the
+-- two squares, of |d|^2 and of |n|.
+crosses :: (Exact, Exact, Int) -> Ray -> Maybe Bool
+crosses (n, s, k) r
+  | size < (1 - gamma 8) * limit rootBelow - slack = Just False
+  | size > (1 + gamma 8) * limit rootAbove + slack = Just True
+  | otherwise = Nothing
+  where
+    d = exact (direction r)
+    size = abs (inner n d)
+    slack = gamma k * inner s (magnitudes d)
+    limit root = root (squared n * squared d) / 2 ^ (50 :: Int)
+
 -- | From the residual at t = t* + x: |A x| <= gamma k (terms of B + (|t*| + |x|) terms of A).
 flatVerdict :: (Exact, Exact, Int) -> Exact -> Ray -> Verdict
-flatVerdict frame@(n, s, k) p r
-  | terms == 0 = Sure []
-  | abs a <= gamma k * terms = Unsure
-  | otherwise = Sure [Hit t (planeResidual frame p r t / (abs a - gamma k * terms))]
+flatVerdict frame@(n, s, k) p r = case crosses frame r of
+  Nothing -> Unsure
+  Just False -> Sure []
+  Just True -> Sure [Hit t (planeResidual frame p r t / (abs a - gamma k * inner s (magnitudes d)))]
   where
     d = exact (direction r)
     a = inner n d
-    terms = inner s (magnitudes d)
     t = negate (inner n (exact (origin r) - p)) / a
 
 -- | The distance from the centre is computed with four roundings of its own, of a point that has two, at a parameter
@@ -234,10 +248,10 @@ exactTriangle triangle r
 -- 2 m_a m_b gamma (4 + 4 + 2).
 triangleVerdict :: Triangle -> Ray -> Verdict
 triangleVerdict triangle r = case exactTriangle triangle r of
-  Nothing -> Unsure
+  Nothing -> if crosses (triangleFrame triangle) r == Just False then Sure [] else Unsure
   Just (_, coordinates, determinant) -> case catMaybes signs of
     known
-      | or known && not (and known) -> Sure []
+      | or known && not (and known) || crosses (triangleFrame triangle) r == Just False -> Sure []
       | length known == 3 && and known -> flatVerdict (triangleFrame triangle) (exact p0) r
       | otherwise -> Unsure
     where
