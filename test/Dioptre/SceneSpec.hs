@@ -68,7 +68,7 @@ spec = do
       it (name <> " is read, written and told in seconds") $ do
         let r = readText text
         _ <- evaluate (Text.length text)
-        done <- timeout 5000000 $ do
+        done <- timeout 15000000 $ do
           _ <- evaluate (length (show (readingScene r)))
           _ <- evaluate (Text.length (writeScene (readingScene r)))
           _ <- evaluate (sum (map (Text.length . message English . diagnosticProblem) (readingDiagnostics r)))
