@@ -153,7 +153,7 @@ data Poly = Poly !Double !Double !Double !Double !Double !Double
 
 -- | A polynomial at a place.
 data Value = Value
-  { -- | Its value, to 2^-40 of itself or better, or to 'doubt'.
+  { -- | Its value, to 2^-40 of itself or better, or to @doubt@.
     value :: !Double,
     -- | The sum of the absolute values of its terms.
     size :: !Double,
@@ -467,7 +467,7 @@ p'' by the usual formula. All that is asked are signs of p at given doubles.
 These are certain. Horner's rule in binary64 has an error of at most 8 eps times the sum s of the sizes of the terms (eps = 2^-53, degree 4; Higham,
 Accuracy and Stability of Numerical Algorithms, section 5.1): a value above 2^-44 s has its sign right, and six bits more. Others are computed again by the compensated scheme,
 which carries the error of each operation along, itself computed exactly, and adds it in the end. Its error is eps of the value and
-(8 eps)^2 s = 2^-100 s (Graillat, Langlois and Louvet, theorem 3), which 'doubt' doubles. The coefficient 3 b of p' is no double, so it is carried as a sum of two.
+(8 eps)^2 s = 2^-100 s (Graillat, Langlois and Louvet, theorem 3), which @doubt@ doubles. The coefficient 3 b of p' is no double, so it is carried as a sum of two.
 
 What is not certain is where the critical points are: they are doubles near the exact ones. At a simple zero c of p', p differs from its value
 at the double nearest to it by p''/2 (2^-53 c)^2, which is nothing beside the tolerance of the next note.

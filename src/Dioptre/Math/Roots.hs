@@ -140,7 +140,7 @@ linear a b
     x = opposite (b / a)
 {-# INLINE linear #-}
 
--- | The steps as the machine does them, where its exponents suffice. The rest is for 'quadraticElsewhere'.
+-- | The steps as the machine does them, where its exponents suffice. The rest is for @quadraticElsewhere@.
 --
 -- A copy of this stands wherever a shape solves its equation, so it holds the ordinary case and nothing else.
 quadratic :: Double -> Double -> Double -> Roots
@@ -218,7 +218,7 @@ refined a b c = (u - v) + (productError b b u - productError (4 * a) c v)
 
 -- | What rounding took from a product: @productError x y (x * y)@ is the exact @x y@ less @x * y@ (Dekker 1971).
 --
--- Both factors are cut in 'halves', whose products are exact, and they are subtracted from @z = x * y@ largest first:
+-- Both factors are cut in @halves@, whose products are exact, and they are subtracted from @z = x * y@ largest first:
 -- @x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)@.
 productError :: Double -> Double -> Double -> Double
 productError x y z = x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)

@@ -21,6 +21,7 @@ module Dioptre.Render.Shade
     unlit,
 
     -- * Parts
+    Lit (..),
     lighting,
     Passage (..),
     passage,
