@@ -165,10 +165,11 @@ opposite :: Unit -> Unit
 opposite (Unit v) = Unit (negate v)
 {-# INLINE opposite #-}
 
--- | What holds of every 'Unit': its quadrance is within 4 units of rounding of 1. (Each component of @v \/ sqrt q@ carries at
--- most 1 rounding of its own, 1\/2 from the square root and 3\/4 halved from the quadrance; the square doubles the sum.)
+-- | What holds of every 'Unit': its quadrance, as computed, is within 10 units of rounding (2^-53) of 1. The first quadrance errs by at most 3 units of
+-- itself, which the square root halves, and adds 1 of its own; the division adds 1: each component errs by 3.5. The square doubles that to 7, and
+-- computing it adds 3.
 valid :: Unit -> Bool
-valid (Unit v) = abs (quadrance v - 1) <= 8 * 2 ** (-53)
+valid (Unit v) = abs (quadrance v - 1) <= 10 * 2 ** (-53)
 
 -- | The axes' directions.
 alongX, alongY, alongZ :: Unit
