@@ -3,7 +3,7 @@
 # and the libraries of the distribution. It may be run as often as you like: it installs only what is missing.
 #
 #   ./setup.sh           what building, running and testing Dioptre needs
-#   ./setup.sh --gate    also what .ci/run needs: hlint, ormolu, shellcheck
+#   ./setup.sh --gate    also what .ci/run needs: hlint, ormolu, shellcheck, python3
 #   ./setup.sh --dev     also what a contributor wants: the above, and povray for the timings
 #   ./setup.sh --help    this text
 #
@@ -15,6 +15,7 @@ libraries='
   libghc-aeson-dev
   libghc-ansi-terminal-dev
   libghc-async-dev
+  libghc-base64-bytestring-dev
   libghc-edit-distance-dev
   libghc-hspec-dev
   libghc-juicypixels-dev
@@ -23,6 +24,7 @@ libraries='
   libghc-optparse-applicative-dev
   libghc-prettyprinter-ansi-terminal-dev
   libghc-prettyprinter-dev
+  libghc-primitive-dev
   libghc-quickcheck2-dev
   libghc-temporary-dev
   libghc-terminal-progress-bar-dev
@@ -34,6 +36,7 @@ gate_tools='
   git
   hlint
   ormolu
+  python3
   shellcheck
 '
 dev_tools='povray'

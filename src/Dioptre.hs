@@ -5,7 +5,7 @@
 -- A picture is a function of a text:
 --
 -- @
--- 'draw' = 'rendered' . 'plan' mempty . fst . 'checkScene' . 'parse'
+-- 'draw' = 'rendered' . 'plan' mempty 'noModels' . fst . 'checkScene' . 'parse'
 -- @
 --
 -- Each name is a stage, and each stage is a folder; reading them in this order is a course in ray tracing.
@@ -21,8 +21,11 @@
 -- [Math, Geometry, Light] Vectors, roots, rays and shapes: where a ray meets a sphere is
 -- "Dioptre.Math.Roots" at work in "Dioptre.Geometry.Sphere".
 --
+-- [Model] Models come from files of four formats to one thing ("Dioptre.Model.Content"), each once ("Dioptre.Model.Library"). A scene of text alone has 'noModels', and none of the pictures for
+-- textures, which are the @mempty@.
+--
 -- [Render] The scene becomes a plan, and the plan rows of pixels: the camera ("Dioptre.Render.View"), the closest hit
--- ("Dioptre.Render.World"), one row ("Dioptre.Render.Row"), all of them in parallel ("Dioptre.Render.Parallel").
+-- among all shapes and their index ("Dioptre.Render.World", "Dioptre.Geometry.Hierarchy"), one row ("Dioptre.Render.Row"), all of them in parallel ("Dioptre.Render.Parallel").
 --
 -- [Picture] Colours become bytes ("Dioptre.Picture.Byte"), and bytes a file ("Dioptre.Picture.Png").
 --
@@ -47,6 +50,7 @@ module Dioptre
     parse,
     checkScene,
     plan,
+    noModels,
     rendered,
     encode,
 
@@ -65,6 +69,7 @@ module Dioptre
   )
 where
 
+import Dioptre.Model.Library (noModels)
 import Dioptre.Picture (Picture, pictureBytes, pictureHeight, pictureWidth)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (rendered)
@@ -78,7 +83,7 @@ import Dioptre.Syntax.Tree (Tree)
 
 -- | The picture of a scene's text. Total: whatever the text, there is a picture.
 draw :: Source -> Picture
-draw = rendered . plan mempty . fst . checkScene . parse
+draw = rendered . plan mempty noModels . fst . checkScene . parse
 
 -- | What is wrong with a scene's text, in its order.
 complaints :: Source -> [Diagnostic]

@@ -24,10 +24,9 @@ import Dioptre.Command.Render (failing)
 import Dioptre.Command.Wording (fileFault)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Scene.Configuration (checkConfiguration)
-import Dioptre.Source.Diagnostic (Diagnostic)
 import Dioptre.Source.Language (inLanguage)
 import Dioptre.Source.Report (pretty, summary, toJson)
-import Dioptre.Source.Text (Source, decode, sourceName)
+import Dioptre.Source.Text (decode, sourceName)
 import Dioptre.Syntax.Grammar (parse)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension)
@@ -37,26 +36,26 @@ import System.IO (stdout)
 data Format = AsText | AsJson
   deriving stock (Eq, Show)
 
--- | Prints the diagnostics of files on standard output: scenes, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
+-- | Prints the diagnostics of files on standard output: scenes with the files that they need, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
 -- cannot be read.
 check :: Journal -> Format -> [FilePath] -> IO ExitCode
 check journal format paths = do
-  results <- forM paths $ \path -> if isConfiguration path then checkedConfiguration path else fmap told <$> loadScene l path
+  results <- forM paths $ \path -> if isConfiguration path then checkedConfiguration path else fmap loadedDiagnostics <$> loadScene l path
+  let files = concat (rights results)
   case format of
-    AsText -> forM_ (rights results) $ \(source, diagnostics) -> do
+    AsText -> forM_ files $ \(source, diagnostics) -> do
       forM_ diagnostics (toConsole stdout . pretty l source)
       Text.putStrLn (Text.pack (sourceName source) <> ": " <> fromMaybe (inLanguage l "no faults" "aucune faute") (summary l diagnostics))
     AsJson ->
       Lazy.putStrLn . encode $
-        object ["diagnostics" .= [toJson l (sourceName source) d | (source, diagnostics) <- rights results, d <- diagnostics]]
+        object ["diagnostics" .= [toJson l (sourceName source) d | (source, diagnostics) <- files, d <- diagnostics]]
   forM_ (lefts results) (sayFault journal)
   pure $ case () of
     _ | not (null (lefts results)) -> ExitFailure 3
-    _ | any (any failing . snd) (rights results) -> ExitFailure 1
+    _ | any (any failing . snd) files -> ExitFailure 1
     _ -> ExitSuccess
   where
     l = journalLanguage journal
     isConfiguration path = map toLower (takeExtension path) == ".cfg"
-    told loaded = (loadedSource loaded, loadedDiagnostics loaded) :: (Source, [Diagnostic])
     checkedConfiguration path = either (Left . fileFault l) (Right . configurationOf . decode path) <$> readWhole path
-    configurationOf source = (source, snd (checkConfiguration (parse source)))
+    configurationOf source = [(source, snd (checkConfiguration (parse source)))]

@@ -28,7 +28,7 @@ compare journal a b = do
   case (,) <$> left <*> right of
     Left _ -> ExitFailure 3 <$ mapM_ (either (sayFault journal) (const (pure ()))) [left, right]
     Right ((p, scene), (q, scene')) -> do
-      mapM_ (\s -> sayDiagnostics journal (loadedSource s) (loadedDiagnostics s)) (foldMap pure scene <> foldMap pure scene' :: [Loaded])
+      mapM_ (sayDiagnostics journal . loadedDiagnostics) (foldMap pure scene <> foldMap pure scene' :: [Loaded])
       Text.putStrLn (Text.pack (show (pictureWidth p) <> " x " <> show (pictureHeight p)) <> " pixels, " <> verdict l (difference p q))
       pure (if difference p q == Equal then ExitSuccess else ExitFailure 1)
   where

@@ -13,94 +13,81 @@ module Dioptre.Command.Load
   )
 where
 
-import Control.Exception (SomeAsyncException (..), SomeException, evaluate, fromException, tryJust)
-import Control.Monad (forM, (<=<))
+import Control.Exception (evaluate)
+import Control.Monad ((<=<))
+import Control.Monad.Trans.State.Strict (runStateT)
 import Data.Bifunctor (first)
 import Data.Char (toLower)
-import Data.Containers.ListUtils (nubOrd)
 import Data.Foldable (toList)
 import Data.List (sortOn)
-import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
+import qualified Data.Vector as Vector
+import Dioptre.Command.Load.Amount (ModelRead)
+import Dioptre.Command.Load.Models (loadModels, sceneSite)
+import Dioptre.Command.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
 import Dioptre.Command.Wording (fileFault, undecodable)
-import Dioptre.Files.Search (Place (..), SearchFault (..), search)
 import Dioptre.Files.Whole (readWhole)
+import Dioptre.Model.Library (Library (..), noModels)
 import Dioptre.Picture (Picture)
-import Dioptre.Picture.Png (decode, decodeTexture)
+import Dioptre.Picture.Png (decode)
 import Dioptre.Render (renderWith)
 import Dioptre.Render.Row (plan)
-import Dioptre.Render.Texture (Assets)
+import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Scene (Scene)
-import Dioptre.Scene.Check (checkScene, pictureNames)
+import Dioptre.Scene.Check (checkScene, checkSceneFile, pictureNames)
 import Dioptre.Scene.Configuration (defaultSceneFile)
 import Dioptre.Scene.Default (defaultScene)
-import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble (..), FileUse, Problem (UnusableFile))
+import Dioptre.Source.Diagnostic (Diagnostic (..))
 import Dioptre.Source.Language (Language)
-import Dioptre.Source.Span (Span)
 import Dioptre.Source.Text (Source, fromText)
 import qualified Dioptre.Source.Text as Source
 import Dioptre.Syntax.Grammar (parse)
 import GHC.Conc (getNumCapabilities)
-import System.FilePath (takeDirectory, takeExtension, (</>))
+import System.FilePath (takeDirectory, takeExtension)
 
--- | A scene with its text, the pictures that it uses, and what there is to say of it.
+-- | A scene, all files that it needs, and what there is to say of them.
 data Loaded = Loaded
-  { loadedSource :: Source,
+  { -- | The scene, checked.
     loadedScene :: Scene,
+    -- | The pictures that the scene itself names.
     loadedAssets :: Assets,
-    loadedDiagnostics :: [Diagnostic]
+    -- | The models that it names, and those that they name.
+    loadedLibrary :: Library Texture,
+    -- | The models' files, as their reading ended.
+    loadedModels :: [ModelRead],
+    -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each in its order.
+    loadedDiagnostics :: [(Source, [Diagnostic])]
   }
 
--- | The scene in the file at a path, with its pictures; or why there is none, in words.
+-- | The scene in the file at a path, with its pictures and models; or why there is none, in words.
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)
 loadScene l path =
   readWhole path >>= \bytes -> case Source.decode path <$> bytes of
     Left fault -> pure (Left (fileFault l fault))
     Right source -> do
       let tree = parse source
-          (scene, diagnostics) = checkScene tree
-      (assets, troubles) <- loadPictures l (takeDirectory path) (pictureNames tree)
-      let everything = sortOn diagnosticSpan (diagnostics <> troubles)
-      Right (Loaded source scene assets everything) <$ evaluate (length everything)
+          (scene, mentions, diagnostics) = checkSceneFile tree
+          folder = takeDirectory path
+      (((assets, missing), (instances, refused)), shelf) <-
+        runStateT ((,) <$> loadPictures l folder (pictureNames tree) <*> loadModels (sceneSite l folder) mentions) emptyShelf
+      let own = (source, sortOn diagnosticSpan (diagnostics <> missing <> refused))
+          loaded =
+            Loaded
+              { loadedScene = scene,
+                loadedAssets = assets,
+                loadedLibrary = Library (Vector.fromList (toList (shelfLibrary shelf))) instances,
+                loadedModels = toList (shelfRead shelf),
+                loadedDiagnostics = own : toList (shelfFaults shelf)
+              }
+      Right loaded <$ evaluate (sum (map (length . snd) (loadedDiagnostics loaded)))
 
--- | The scene that is built in. It uses no pictures.
+-- | The scene that is built in. It uses no files.
 loadBuiltIn :: Loaded
-loadBuiltIn = uncurry (\scene -> Loaded source scene mempty) (checkScene (parse source))
+loadBuiltIn = Loaded scene mempty noModels [] [(source, diagnostics)]
   where
     source = fromText (Text.unpack defaultSceneFile) defaultScene
-
--- | The pictures that a scene in a folder names, each loaded once; and what is wrong with each place that names one.
-loadPictures :: Language -> FilePath -> [(Text, FileUse, Span)] -> IO (Assets, [Diagnostic])
-loadPictures l folder wanted = do
-  loaded <- forM (nubOrd [name | (name, _, _) <- wanted]) $ \name -> (,) name <$> loadTexture l folder name
-  pure
-    ( Map.fromList [(name, p) | (name, Right p) <- loaded],
-      [ Diagnostic place (UnusableFile name use trouble)
-        | (name, use, place) <- wanted,
-          Just (Left trouble) <- [lookup name loaded]
-      ]
-    )
-
-loadTexture :: Language -> FilePath -> Text -> IO (Either FileTrouble Picture)
-loadTexture l folder name =
-  search "." folder name >>= \case
-    Left (NoName _) -> pure (Left (NoSuchFile []))
-    Left (NotFound _ places) -> pure (Left (NoSuchFile (map folderOf (toList places))))
-    Left (SeveralFound _ paths) -> pure (Left (SeveralFiles (toList paths)))
-    Right path ->
-      readWhole path >>= \case
-        Left fault -> pure (Left (Unreadable (fileFault l fault)))
-        -- The decoder is not ours: what it throws on a broken file is its complaint.
-        Right b -> either (Left . Unreadable) (first Unreadable) <$> tryJust thrown (evaluate (decodeTexture path b) >>= traverse evaluate)
-  where
-    folderOf place = case place of
-      Within f -> f
-      Below f -> f </> "..."
-    thrown :: SomeException -> Maybe Text
-    thrown e = case fromException e of
-      Just (SomeAsyncException _) -> Nothing
-      Nothing -> Just (Text.pack (takeWhile (/= '\n') (show e)))
+    (scene, diagnostics) = checkScene (parse source)
 
 -- | The picture in the file at a path, or why there is none, in words.
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)
@@ -115,5 +102,5 @@ drawnOrLoaded l path
       Left fault -> pure (Left fault)
       Right scene -> do
         workers <- getNumCapabilities
-        (drawn, _) <- renderWith workers (pure ()) (plan (loadedAssets scene) (loadedScene scene))
+        (drawn, _) <- renderWith workers (pure ()) (plan (loadedAssets scene) (loadedLibrary scene) (loadedScene scene))
         pure (Right (drawn, Just scene))

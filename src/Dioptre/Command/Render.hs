@@ -17,6 +17,7 @@ module Dioptre.Command.Render
   )
 where
 
+import Control.Exception (evaluate)
 import Control.Monad (forM_, when)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
@@ -31,8 +32,9 @@ import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..), renderWith)
-import Dioptre.Render.Row (Plan, plan, planHeight, planWithin, window)
+import Dioptre.Render.Row (Plan, plan, planExtent, planHeight, planWithin, window)
 import Dioptre.Render.Shade (mostRays)
+import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..))
@@ -77,8 +79,8 @@ render journal options = do
   case result of
     Left fault -> ExitFailure 3 <$ sayFault journal fault
     Right loaded -> do
-      sayDiagnostics journal (loadedSource loaded) (loadedDiagnostics loaded)
-      if optionStrict options && any failing (loadedDiagnostics loaded)
+      sayDiagnostics journal (loadedDiagnostics loaded)
+      if optionStrict options && any (any failing . snd) (loadedDiagnostics loaded)
         then ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
         else case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
@@ -90,6 +92,7 @@ render journal options = do
   where
     l = journalLanguage journal
     drawn reading scene planned = do
+      (indexing, size) <- timed (evaluate (planExtent planned))
       (tracing, (image, tally)) <- timed (traced journal planned)
       (writing, outcome) <- timed (write scene image)
       case outcome of
@@ -101,6 +104,7 @@ render journal options = do
               [ statistics l (tallyRays tally) (tallyTests tally),
                 inLanguage l "; reading " "\xA0; lecture ",
                 seconds reading,
+                if extentBoxes size > 0 then inLanguage l ", indexing " ", indexation " <> seconds indexing else "",
                 inLanguage l ", tracing " ", tracé ",
                 seconds tracing,
                 inLanguage l ", writing " ", écriture ",
@@ -119,13 +123,14 @@ adjusted :: Options -> Loaded -> Either (Language -> Text) (Scene, Plan)
 adjusted options loaded = do
   let scene = loadedScene loaded
       assets = loadedAssets loaded
+      library = loadedLibrary loaded
   port <- resized (optionWidth options) (optionHeight options) (sceneViewport scene)
   let tracer = sceneRaytracer scene
       scene' = scene {sceneViewport = port, sceneRaytracer = maybe tracer (\n -> tracer {raytracerSampling = n}) (optionSampling options)}
   case optionCrop options of
-    Nothing -> Right (scene', plan assets scene')
+    Nothing -> Right (scene', plan assets library scene')
     Just (x, y, w, h) -> case window port x y w h of
-      Just part -> Right (scene', planWithin part assets scene')
+      Just part -> Right (scene', planWithin part assets library scene')
       Nothing -> Left (`outside` port)
   where
     outside l port =
@@ -181,10 +186,10 @@ timed work = do
 failing :: Diagnostic -> Bool
 failing d = severity (diagnosticProblem d) >= Warning
 
--- | Every diagnostic in full, and how many there were.
-sayDiagnostics :: Journal -> Source -> [Diagnostic] -> IO ()
-sayDiagnostics journal source diagnostics = do
-  forM_ diagnostics (say journal . pretty l source)
-  forM_ (summary l diagnostics) (sayText journal)
+-- | Every diagnostic in full, file by file, and how many there were in all.
+sayDiagnostics :: Journal -> [(Source, [Diagnostic])] -> IO ()
+sayDiagnostics journal files = do
+  forM_ files $ \(source, diagnostics) -> forM_ diagnostics (say journal . pretty l source)
+  forM_ (summary l (concatMap snd files)) (sayText journal)
   where
     l = journalLanguage journal

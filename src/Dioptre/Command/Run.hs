@@ -13,7 +13,7 @@ module Dioptre.Command.Run
   )
 where
 
-import Control.Exception (onException)
+import Control.Exception (evaluate, onException)
 import Control.Monad (forM)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Maybe (fromMaybe)
@@ -25,8 +25,9 @@ import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayFault, sayText, written)
 import Dioptre.Command.Load (Loaded (..), drawnOrLoaded, loadBuiltIn, loadScene)
+import Dioptre.Command.Load.Amount (modelRead)
 import Dioptre.Command.Render (sayCut, sayDiagnostics, timed, traced)
-import Dioptre.Command.Wording (fileFault, numberingFault, searchFault, seconds, statistics)
+import Dioptre.Command.Wording (extent, fileFault, numberingFault, searchFault, seconds, statistics)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
 import Dioptre.Files.Number (PictureNumber, next, pictureNumber, writeNumbered)
@@ -35,7 +36,7 @@ import Dioptre.Files.Whole (readWhole, writeWhole)
 import Dioptre.Picture (Difference (Equal), difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
-import Dioptre.Render.Row (plan)
+import Dioptre.Render.Row (plan, planExtent)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (viewportImage)
 import Dioptre.Scene.Configuration
@@ -63,7 +64,7 @@ run journal found = case found of
   Left fault -> ExitFailure 3 <$ sayFault journal (fileFault l fault)
   Right (source, configuration, diagnostics) -> do
     let spoken = journalWith l (configurationLogConsole configuration) journal
-    sayDiagnostics spoken source diagnostics
+    sayDiagnostics spoken [(source, diagnostics)]
     logged spoken configuration (apply spoken configuration)
   where
     l = journalLanguage journal
@@ -115,13 +116,17 @@ draw journal configuration = do
   case result of
     Left fault -> failed journal fault
     Right loaded -> do
-      sayDiagnostics journal (loadedSource loaded) (loadedDiagnostics loaded)
+      mapM_ (sayText journal . modelRead l) (loadedModels loaded)
+      sayDiagnostics journal (loadedDiagnostics loaded)
       let scene = loadedScene loaded
       sayText journal $
         inLanguage l "the scene has " "la scène comprend " <> number (length (scenePrimitives scene))
           <> inLanguage l " primitives; read in " " primitives\xA0; lue en "
           <> seconds reading
-      (tracing, (image, tally)) <- timed (traced journal (plan (loadedAssets loaded) scene))
+      let planned = plan (loadedAssets loaded) (loadedLibrary loaded) scene
+      (indexing, size) <- timed (evaluate (planExtent planned))
+      sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
+      (tracing, (image, tally)) <- timed (traced journal planned)
       sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
       sayCut journal tally
       (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
@@ -164,7 +169,7 @@ compareAll journal configuration = do
         Left fault -> failed journal (fileFault l fault)
         Right source -> do
           let (pairs, diagnostics) = checkComparisons (parse source)
-          sayDiagnostics journal source diagnostics
+          sayDiagnostics journal [(source, diagnostics)]
           codes <- forM (zip [1 :: Int ..] pairs) $ uncurry (comparePair journal path)
           code <- saved journal (Text.unpack (configurationWrite configuration)) (writeComparisons pairs)
           pure (maximum (code : codes))

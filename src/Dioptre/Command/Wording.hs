@@ -11,6 +11,7 @@ module Dioptre.Command.Wording
     undecodable,
     seconds,
     statistics,
+    extent,
   )
 where
 
@@ -19,6 +20,7 @@ import qualified Data.Text as Text
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Number (NumberingFault (..))
 import Dioptre.Files.Search (Place (..), SearchFault (..))
+import Dioptre.Render.World (Extent (..))
 import Dioptre.Source.Language (Language, inLanguage)
 import Numeric (showFFloat)
 
@@ -70,7 +72,30 @@ undecodable l path complaint =
 seconds :: Double -> Text
 seconds s = Text.pack (showFFloat (Just 3) s " s")
 
--- | How many rays were cast and how many times one was tested against a shape.
+-- | How many rays were cast, how many times one was tested against a shape, and how often that is for each.
 statistics :: Language -> Int -> Int -> Text
 statistics l rays tests =
-  Text.pack (show rays) <> inLanguage l " rays, " " rayons, " <> Text.pack (show tests) <> inLanguage l " intersection tests" " tests d'intersection"
+  Text.concat
+    [ Text.pack (show rays),
+      inLanguage l " rays, " " rayons, ",
+      Text.pack (show tests),
+      inLanguage l " intersection tests (" " tests d'intersection (",
+      Text.pack (showFFloat (Just 2) (fromIntegral tests / fromIntegral (max 1 rays) :: Double) ""),
+      inLanguage l " a ray)" " par rayon)"
+    ]
+
+-- | How large a world is, and its index.
+extent :: Language -> Extent -> Text
+extent l e =
+  Text.concat
+    [ number (extentShapes e),
+      inLanguage l " shapes; " " formes\xA0; ",
+      number (extentTriangles e),
+      inLanguage l " triangles of models in memory; index of " " triangles de modèles en mémoire\xA0; index de ",
+      number (extentBoxes e),
+      inLanguage l " boxes, " " boîtes, profond de ",
+      number (extentDepth e),
+      inLanguage l " deep" ""
+    ]
+  where
+    number = Text.pack . show

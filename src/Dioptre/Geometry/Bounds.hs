@@ -20,7 +20,7 @@
 --
 -- * The boxes of shapes are a little larger than the shapes: by 2^-20 of their size, to which a point on the shape, as it is computed, keeps from rays that start up to
 --   some thousand sizes away. See Note [How much larger].
--- * The test of a ray is exact up to rounding, and rounding is allowed for: 'entry', Note [Slack of the slabs].
+-- * The test of a ray is exact up to rounding, and rounding is allowed for: 'meets', Note [Slack of the slabs].
 --
 -- Sources:
 --
@@ -44,6 +44,7 @@ module Dioptre.Geometry.Bounds
     enlarged,
 
     -- * Boxes of shapes
+    ofShape,
     ofSphere,
     ofCube,
     ofTriangle,
@@ -57,14 +58,22 @@ module Dioptre.Geometry.Bounds
     -- * Rays
     Approach,
     approach,
-    entry,
+    runsDown,
+    meets,
+    boxFace,
   )
 where
 
 import Data.List (foldl')
+import Dioptre.Geometry.Cube (cubeCentre, cubeSize)
+import Dioptre.Geometry.Disk (annulusOuter, annulusPlane, diskPlane, diskRadius)
+import Dioptre.Geometry.Plane (planeNormal, planePosition)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Geometry.Round (faceDepth)
-import Dioptre.Math.Transform (Placement, transformPosition)
+import Dioptre.Geometry.Round
+import Dioptre.Geometry.Shape (Shape (..))
+import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
+import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
+import Dioptre.Math.Transform (Placement, placement, transformPosition)
 import Dioptre.Math.Vector (Packed, Point, Unit, packed, unit, unpacked, vector, (*^))
 import Linear.V3 (V3 (..))
 
@@ -153,6 +162,28 @@ around p extent = spanned (p - extent) (p + extent)
 reach :: Unit -> Double -> V3 Double
 reach n radius = (\c -> radius * sqrt (upper 0 ((1 - c) * (1 + c)))) <$> vector n
 
+-- | The box of a shape; 'Nothing' for a plane, which has no end.
+ofShape :: Shape -> Maybe Box
+ofShape shape = case shape of
+  APlane _ -> Nothing
+  ADisk d -> onDisk d
+  AnAnnulus a -> (\n -> ofDisk (planePosition (annulusPlane a)) n (annulusOuter a)) <$> unit (planeNormal (annulusPlane a))
+  ASphere s -> Just (ofSphere (sphereCentre s) (sphereRadius s))
+  ACube c -> Just (ofCube (cubeCentre c) (cubeSize c / 2))
+  ATriangle t -> Just (onCorners t)
+  ASmoothTriangle s -> Just (onCorners (smoothTriangleFlat s))
+  ATube r -> Just (onAxis r ofTube)
+  ACylinder r -> Just (onAxis r ofTube)
+  ACone r -> Just (onAxis r ofCone)
+  ALens l -> Just (onAxis (lensBody l) (\p1 p2 radius -> ofLens p1 p2 radius (lensCurvatures l)))
+  ACap c -> (\n -> ofCap (planePosition (diskPlane (capDisk c))) n (diskRadius (capDisk c)) (capCurvature c)) <$> unit (planeNormal (diskPlane (capDisk c)))
+  ATorus t -> (\n -> ofTorus (planePosition (torusPlane t)) n (torusMajor t) (torusMinor t)) <$> unit (planeNormal (torusPlane t))
+  ATransformed t inner -> transformed (placement t) <$> ofShape inner
+  where
+    onDisk d = (\n -> ofDisk (planePosition (diskPlane d)) n (diskRadius d)) <$> unit (planeNormal (diskPlane d))
+    onCorners t = let Corners a b c = trianglePoints t in ofTriangle a b c
+    onAxis r make = make (axisStart (roundAxis r)) (axisEnd (roundAxis r)) (roundRadius r)
+
 -- | Of the sphere around C with radius R.
 ofSphere :: Point -> Double -> Box
 ofSphere c radius = enlarged (around c (pure radius))
@@ -202,37 +233,68 @@ ofLens p1 p2 radius (c1, c2) = case unit (p2 - p1) of
 -------------------------------------------------------------------------------
 -- Rays
 
--- | A ray made ready to be tested against many boxes: its origin, and one over each component of its direction.
-data Approach = Approach {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
+-- | A ray made ready to be tested against many boxes: its origin; one over each component of its direction, and the same a little larger; and the place, in the six numbers of
+-- a box, of the face that it meets first in each coordinate.
+data Approach = Approach {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int
   deriving stock (Eq, Show)
 
--- | A ray made ready. Where a component of the direction is zero, its reciprocal is infinite: 'entry' knows.
+-- | A ray made ready. Where a component of the direction is zero, its reciprocal is infinite: 'meets' knows.
 approach :: Ray -> Approach
-approach r = Approach (packed (origin r)) (packed (recip <$> direction r))
+approach r = Approach (packed (origin r)) (packed i) (packed (wider <$> i)) (face 0 ix) (face 1 iy) (face 2 iz)
+  where
+    i@(V3 ix iy iz) = recip <$> direction r
+    wider :: Double -> Double
+    wider c = c * 0x1.0000000000004p0
+    face :: Int -> Double -> Int
+    face k c = if c >= 0 then k else k + 3
 {-# INLINE approach #-}
 
--- | Where a ray enters a box, or 0 if it starts inside; infinity if it misses the box, or enters it beyond the given parameter.
+-- | Whether the ray runs towards lower values of a coordinate (0, 1, 2 for x, y, z).
+runsDown :: Approach -> Int -> Bool
+runsDown (Approach _ _ _ fx fy fz) coordinate = case coordinate of
+  0 -> fx >= 3
+  1 -> fy >= 3
+  _ -> fz >= 3
+{-# INLINE runsDown #-}
+
+-- | Whether a ray comes into a box, not beyond the given parameter. The box is given as six numbers, by their places: low x, y, z, high x, y, z.
 --
--- Law: if o + t d is in the box for some t from 0 to the given parameter, exactly, then the answer is at most t. It is at most 2^-49 of itself less than the exact parameter.
+-- Laws: if o + t d is in the box for some t from 0 to the given parameter, exactly, then it says so. If it says so, the ray meets the box when that is enlarged by some 2^-48 of
+-- its distance.
 --
--- Cost: six products, and comparisons.
-entry :: Approach -> Box -> Double -> Double
-entry (Approach o i) b !far
-  | enter <= leave * 0x1.0000000000004p0 = enter * 0x0.ffffffffffffcp0
-  | otherwise = 1 / 0
+-- Cost: six products, and comparisons of which a box that is met takes all, and one that is missed hardly ever more than half. See Note [Comparing in pairs].
+meets :: Approach -> (Int -> Double) -> Double -> Bool
+meets (Approach o i j fx fy fz) face !far
+  | enterX > leaveY || enterY > leaveX = False
+  | enterX > leaveZ || enterZ > leaveX = False
+  | enterY > leaveZ || enterZ > leaveY = False
+  | enterX > bound || enterY > bound || enterZ > bound = False
+  | otherwise = not (leaveX < 0 || leaveY < 0 || leaveZ < 0)
   where
     !(V3 ox oy oz) = unpacked o
     !(V3 ix iy iz) = unpacked i
-    !(V3 lx ly lz) = boxLow b
-    !(V3 hx hy hz) = boxHigh b
-    !enter = near lx hx ox ix (near ly hy oy iy (near lz hz oz iz 0))
-    !leave = distant lx hx ox ix (distant ly hy oy iy (distant lz hz oz iz far))
-    -- Written so that a NaN, 0 times infinity, changes nothing: a ray along a face is between the pair.
-    near l h p q !before = let !t = (if q >= 0 then l - p else h - p) * q in if t > before then t else before
-    distant l h p q !before = let !t = (if q >= 0 then h - p else l - p) * q in if t < before then t else before
-    {-# INLINE near #-}
-    {-# INLINE distant #-}
-{-# INLINE entry #-}
+    !(V3 jx jy jz) = unpacked j
+    !enterX = (face fx - ox) * ix
+    !leaveX = (face (3 - fx) - ox) * jx
+    !enterY = (face fy - oy) * iy
+    !leaveY = (face (5 - fy) - oy) * jy
+    !enterZ = (face fz - oz) * iz
+    !leaveZ = (face (7 - fz) - oz) * jz
+    !bound = far * 0x1.0000000000004p0
+{-# INLINE meets #-}
+
+-- | The six numbers of a box: low x, y, z, high x, y, z, by their places from 0 to 5.
+boxFace :: Box -> Int -> Double
+boxFace b k = case k of
+  0 -> lx
+  1 -> ly
+  2 -> lz
+  3 -> hx
+  4 -> hy
+  _ -> hz
+  where
+    V3 lx ly lz = boxLow b
+    V3 hx hy hz = boxHigh b
 
 -- Note [How much larger]
 -- ~~~~~~~~~~~~~~~~~~~~~~
@@ -243,15 +305,28 @@ entry (Approach o i) b !far
 --
 -- The second term is for shapes far from the origin of the world: the corners themselves are sums, rounded by 2^-53 of the coordinates.
 
+-- Note [Comparing in pairs]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~
+-- Between the two faces of one coordinate a ray is in an interval of its parameter; it is in the box where all three intervals and [0, far] overlap. The usual program takes the
+-- greatest of the entries and the least of the exits, and compares these two: each of the four choices is a branch that goes either way as often as not, and a processor that guesses
+-- wrong loses the time of the whole test. Intervals of a line overlap all together if they overlap two by two (Helly's theorem in one dimension), and so the test asks of each
+-- entry whether it is beyond each other exit. All of these branches go one way until one of them ends the test. Measured on a mesh: a third of the time of a ray.
+--
+-- The entry and the exit of one and the same coordinate need no comparison: the box's corners are in order.
+--
 -- Note [Slack of the slabs]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~
--- The parameter at which a ray crosses a face, (l - o) / d, is computed as (l - o) * (1 / d): three roundings, a relative error of at most 3.01 eps, eps = 2^-53. The greatest entry and the least exit
--- are values so computed, each not below or above the exact one by more than that part. If the ray is in the box somewhere ahead, then 0 <= enter <= leave exactly, and as computed
+-- The parameter at which a ray crosses a face, (l - o) / d, is computed as (l - o) * (1 / d): three roundings, a relative error of at most 3.01 eps, eps = 2^-53. If the ray is in the box at
+-- some t with 0 <= t <= far, then exactly entry_i <= t <= exit_j for all i and j, and t >= 0; and as computed
 --
---   enter (1 - 3.01 eps) <= leave (1 + 3.01 eps), hence enter <= leave (1 + 6.1 eps).
+--   entry_i <= max 0 (t (1 + 3.01 eps)),  t (1 - 3.01 eps) <= exit_j.
 --
--- The factor is 1 + 8 eps, whose product may be rounded down by one: 7 are left. Entries are given 3.01 eps less than they are computed, and that is rounded, too: 1 - 8 eps
--- leaves room. (Ize uses the single factor 1 + 2 gamma(3) for the same reason.)
+-- Exits are computed with reciprocals that are larger by the factor 1 + 8 eps, which takes one more rounding:
+--
+--   exit_j >= t (1 - 4.01 eps) (1 + 8 eps) > t (1 + 3.9 eps) > t (1 + 3.01 eps) >= entry_i,
+--
+-- and far gets the same factor. (Ize uses the single factor 1 + 2 gamma(3) for the same reason.) An exit's sign is exact, and so is the answer to whether the box is behind.
 --
 -- If d = 0, the reciprocal is infinite, of either sign. The products are then infinite and say, correctly, that the ray is between the faces always or never; or NaN, for a ray along a
--- face, which no comparison takes. Where 1 / d overflows, |d| < 2^-1024, the ray counts as one with d = 0; no scene reaches the parameters where it would tell.
+-- face, for which every comparison is false, so that it takes nothing away: a ray along a face is between the pair. Where 1 / d overflows, |d| < 2^-1024, the ray counts as one with d = 0; no scene
+-- reaches the parameters where it would tell.

@@ -1,4 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE DerivingStrategies #-}
 
 -- |
 -- Module      : Dioptre.Geometry.Lens
@@ -34,6 +35,8 @@
 module Dioptre.Geometry.Lens
   ( -- * Intersecting
     lensParameters,
+    LensPart (..),
+    lensPart,
     lensNormal,
     lensContains,
   )
@@ -124,16 +127,34 @@ lessInside (Interval low high) = concatMap left
       | low < high && low < leave && enter < high = [Interval enter low | enter <= low] ++ [Interval high leave | high <= leave]
       | otherwise = [Interval enter leave]
 
--- | The outward unit normal where a ray meets the lens, at a parameter that 'lensParameters' gave: the tube's on the side, and on a face away
--- from the sphere's centre if it bulges, towards it if it is hollow. On a rim it is the tube's.
-lensNormal :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> Unit
-lensNormal p1 s l radius c1 c2 r t
-  | isEndOf inBar = tubeNormal p1 s v
-  | isEndOf dome1 = capNormal p1 (opposite s) radius c1 v
-  | otherwise = capNormal (p1 + l *^ vector s) s radius c2 v
+-- | The parts of a lens's surface.
+data LensPart
+  = -- | The side, a tube.
+    LensSide
+  | -- | The face at the start of the axis.
+    LensStart
+  | -- | The face at its end.
+    LensEnd
+  deriving stock (Eq, Show)
+
+-- | The part that a ray meets at a parameter that 'lensParameters' gave. A rim is the side's.
+lensPart :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> LensPart
+lensPart p1 s l radius c1 c2 r t
+  | isEndOf inBar = LensSide
+  | isEndOf dome1 = LensStart
+  | otherwise = LensEnd
   where
     Parts t0 inBar _ dome1 _ _ = parts p1 s l radius c1 c2 r
     isEndOf (Interval enter leave) = t == t0 + enter || t == t0 + leave
+
+-- | The outward unit normal where a ray meets the lens, at a parameter that 'lensParameters' gave: the tube's on the side, and on a face away
+-- from the sphere's centre if it bulges, towards it if it is hollow.
+lensNormal :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> Unit
+lensNormal p1 s l radius c1 c2 r t = case lensPart p1 s l radius c1 c2 r t of
+  LensSide -> tubeNormal p1 s v
+  LensStart -> capNormal p1 (opposite s) radius c1 v
+  LensEnd -> capNormal (p1 + l *^ vector s) s radius c2 v
+  where
     v = position r t
 
 -- | Whether a point is inside the lens: nearer to the axis than (1 - 'roundThickness') R and, at each face, on the body's side of the sphere by more than
@@ -164,4 +185,4 @@ lensContains p1 s l radius c1 c2 v =
 -- between two flat faces, and are no part of the surface.
 --
 -- The side is known to be hit where the bar's interval ends, and a face where its dome's interval does: an end that is not the dome's own is
--- infinite. 'lensNormal' finds the part that has the parameter by comparing for equality, and the numbers are the same.
+-- infinite. 'lensPart' finds the part that has the parameter by comparing for equality, and the numbers are the same.

@@ -23,10 +23,10 @@ module Dioptre.Geometry.Plane
   )
 where
 
-import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Geometry.Ray (Ray, direction, directionQuadrance, origin)
 import Dioptre.Math.Roots (linearRoots)
 import Dioptre.Math.Tolerance (parallelSine, smallestLength)
-import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, quadrance, vector)
+import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, vector)
 
 -- | A plane, as it was written: its normal has any length but a negligible one.
 data Plane = Plane
@@ -50,7 +50,7 @@ plane p n
 -- Law: \<n, r(t) - P> is zero at that parameter, to rounding.
 planeParameters :: Point -> Unit -> Ray -> [Double]
 planeParameters p n r =
-  [t | a * a > parallelSine * parallelSine * quadrance (direction r), t <- linearRoots a (dot (vector n) (origin r - p))]
+  [t | a * a > parallelSine * parallelSine * directionQuadrance r, t <- linearRoots a (dot (vector n) (origin r - p))]
   where
     !a = dot (vector n) (direction r)
 {-# INLINE planeParameters #-}

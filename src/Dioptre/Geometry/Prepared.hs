@@ -16,6 +16,9 @@ module Dioptre.Geometry.Prepared
   ( -- * Preparing
     Prepared,
     prepare,
+    placedIn,
+    ofTriangle,
+    ofSmoothTriangle,
 
     -- * Intersecting
     parameters,
@@ -36,7 +39,7 @@ import Dioptre.Geometry.Cone (coneContains, coneNormal, coneParameters)
 import Dioptre.Geometry.Cube (cubeCentre, cubeContains, cubeNormal, cubeParameters, cubeSize)
 import Dioptre.Geometry.Cylinder (cylinderContains, cylinderNormal, cylinderParameters)
 import Dioptre.Geometry.Disk (annulusInner, annulusOuter, annulusParameters, annulusPlane, diskParameters, diskPlane, diskRadius)
-import Dioptre.Geometry.Lens (lensContains, lensNormal, lensParameters)
+import Dioptre.Geometry.Lens (LensPart (..), lensContains, lensNormal, lensParameters, lensPart)
 import Dioptre.Geometry.Placement (Placement, carriedBack, placement)
 import Dioptre.Geometry.Plane (Plane, planeNormal, planeParameters, planePosition)
 import Dioptre.Geometry.Ray (Ray, direction, position)
@@ -69,7 +72,7 @@ data Prepared
   | -- | Three corners, unit normal.
     Triangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
   | -- | Three corners, unit normal, the corners' unit normals and texture coordinates.
-    SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed !(Corners Unit) !(Corners (V2 Double))
+    SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed !(Corners (V2 Double))
   | Tube {-# UNPACK #-} !Axial
   | Cylinder {-# UNPACK #-} !Axial
   | Cone {-# UNPACK #-} !Axial
@@ -102,11 +105,10 @@ prepare shape = case shape of
   ACube c -> Just (Cube (packed (cubeCentre c)) (cubeSize c / 2))
   ATriangle t -> Just (ofCorners t Triangle)
   ASmoothTriangle s ->
-    let flat = triangleNormal (smoothTriangleFlat s)
-        Corners n0 n1 n2 = smoothTriangleNormals s
-        made = fromMaybe flat . unit
-        normals = Corners (made n0) (made n1) (made n2)
-     in Just (ofCorners (smoothTriangleFlat s) (\a b c n -> SmoothTriangle a b c n normals (smoothTriangleUvs s)))
+    let Corners a b c = trianglePoints (smoothTriangleFlat s)
+        flat = triangleNormal (smoothTriangleFlat s)
+        Corners n0 n1 n2 = fromMaybe flat . unit <$> smoothTriangleNormals s
+     in Just (ofSmoothTriangle a b c flat n0 n1 n2 (smoothTriangleUvs s))
   ATube r -> Tube <$> onAxis r
   ACylinder r -> Cylinder <$> onAxis r
   ACone r -> Cone <$> onAxis r
@@ -114,6 +116,20 @@ prepare shape = case shape of
   ACap c -> onPlane (diskPlane (capDisk c)) (\p n -> Cap p n (diskRadius (capDisk c)) (capCurvature c))
   ATorus t -> onPlane (torusPlane t) (\p n -> Torus p n (torusMajor t) (torusMinor t))
   ATransformed t inner -> Placed (placement t) <$> prepare inner
+
+-- | A prepared shape, transformed.
+placedIn :: Placement -> Prepared -> Prepared
+placedIn = Placed
+
+-- | The flat triangle with these corners and this unit normal, which must be theirs.
+ofTriangle :: Point -> Point -> Point -> Unit -> Prepared
+ofTriangle a b c n = Triangle (packed a) (packed b) (packed c) (packedUnit n)
+{-# INLINE ofTriangle #-}
+
+-- | The same with unit normals at the corners, and texture coordinates.
+ofSmoothTriangle :: Point -> Point -> Point -> Unit -> Unit -> Unit -> Unit -> Corners (V2 Double) -> Prepared
+ofSmoothTriangle a b c n n0 n1 n2 = SmoothTriangle (packed a) (packed b) (packed c) (packedUnit n) (packedUnit n0) (packedUnit n1) (packedUnit n2)
+{-# INLINE ofSmoothTriangle #-}
 
 onPlane :: Plane -> (Packed -> Packed -> Prepared) -> Maybe Prepared
 onPlane p make = make (packed (planePosition p)) . packedUnit <$> unit (planeNormal p)
@@ -141,7 +157,7 @@ parameters shape r = build $ \cons nil -> case shape of
   Sphere c radiusSquared -> foldr cons nil (sphereParameters (unpacked c) radiusSquared r)
   Cube c h -> foldr cons nil (cubeParameters (unpacked c) h r)
   Triangle a b c n -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
-  SmoothTriangle a b c n _ _ -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
+  SmoothTriangle a b c n _ _ _ _ -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
   _ -> foldr cons nil (rareParameters shape r)
 {-# INLINE parameters #-}
 
@@ -177,8 +193,8 @@ normalAt shape r t = case shape of
   Sphere c _ -> sphereNormal (unpacked c) (position r t)
   Cube c h -> cubeNormal (unpacked c) h r t
   Triangle _ _ _ n -> unpackedUnit n
-  SmoothTriangle a b c n normals _ ->
-    interpolatedNormal (unpackedUnit n) normals (barycentric (unpacked a) (unpacked b) (unpacked c) (position r t))
+  SmoothTriangle a b c n n0 n1 n2 _ ->
+    interpolatedNormal (unpackedUnit n) (Corners (unpackedUnit n0) (unpackedUnit n1) (unpackedUnit n2)) (barycentric (unpacked a) (unpacked b) (unpacked c) (position r t))
   _ -> rareNormal shape r t
 {-# INLINE normalAt #-}
 
@@ -212,14 +228,15 @@ textureAt shape r t = case shape of
   Sphere c _ -> sphereUv (unpacked c) v
   Cube c h -> cubeUv (unpacked c) h outward v
   Triangle a b c _ -> triangleUv (barycentric (unpacked a) (unpacked b) (unpacked c) v)
-  SmoothTriangle a b c _ _ (Corners uv0 uv1 uv2) ->
+  SmoothTriangle a b c _ _ _ _ (Corners uv0 uv1 uv2) ->
     let (t1, t2) = barycentric (unpacked a) (unpacked b) (unpacked c) v
      in (1 - t1 - t2) Linear.*^ uv0 + t1 Linear.*^ uv1 + t2 Linear.*^ uv2
   Tube a -> along a (\p1 s h _ -> sideUv p1 s h v)
   Cylinder a -> along a cylinderUv outward v
   Cone a -> along a coneUv outward v
-  Lens a _ _ -> along a $ \p1 s h radius ->
-    if outward == tubeNormal p1 s v then sideUv p1 s h v else diskUv p1 s radius v
+  Lens a c1 c2 -> along a $ \p1 s h radius -> case lensPart p1 s h radius c1 c2 r t of
+    LensSide -> sideUv p1 s h v
+    _ -> diskUv p1 s radius v
   Cap p n radius _ -> diskUv (unpacked p) (unpackedUnit n) radius v
   Torus p n major _ -> torusUv (unpacked p) (unpackedUnit n) major v
   Placed place inner -> textureAt inner (carriedBack place r) t

@@ -14,30 +14,38 @@ module Dioptre.Geometry.Ray
     ray,
     origin,
     direction,
+    directionQuadrance,
     position,
   )
 where
 
-import Dioptre.Math.Vector (Packed, Point, Vector, packed, unpacked, (*^))
+import Dioptre.Math.Vector (Packed, Point, Vector, packed, quadrance, unpacked, (*^))
 
 -- | An origin and a direction, in world space. The direction is not zero; it need not be of unit length.
-data Ray = Ray {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
+--
+-- Its third part is the quadrance of the direction, which planes and spheres ask for: computed once for all of them.
+data Ray = Ray {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double
   deriving stock (Eq, Show)
 
 -- | The ray from a point in a direction.
 ray :: Point -> Vector -> Ray
-ray o d = Ray (packed o) (packed d)
+ray o d = Ray (packed o) (packed d) (quadrance d)
 {-# INLINE ray #-}
 
 -- | The point at t = 0.
 origin :: Ray -> Point
-origin (Ray o _) = unpacked o
+origin (Ray o _ _) = unpacked o
 {-# INLINE origin #-}
 
 -- | What one unit of t adds.
 direction :: Ray -> Vector
-direction (Ray _ d) = unpacked d
+direction (Ray _ d _) = unpacked d
 {-# INLINE direction #-}
+
+-- | The squared length of the direction, \<d, d>.
+directionQuadrance :: Ray -> Double
+directionQuadrance (Ray _ _ q) = q
+{-# INLINE directionQuadrance #-}
 
 -- | The point at a parameter, r(t) = o + t d; behind the origin where t is negative.
 --

@@ -28,8 +28,8 @@ module Dioptre.Geometry.Sphere
 where
 
 import Data.Maybe (fromMaybe)
-import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Geometry.Ray (Ray, direction, directionQuadrance, origin)
+import Dioptre.Math.Roots (clearlyNone, quadraticRoots)
 import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, alongZ, distance, dot, unit)
 
@@ -52,7 +52,7 @@ sphere c r
 --
 -- Law: both points are at the radius from the centre, to the rounding of w (see Note [Far spheres]).
 sphereParameters :: Point -> Double -> Ray -> [Double]
-sphereParameters c radiusSquared r = quadraticRoots (dot d d) (2 * dot w d) (dot w w - radiusSquared)
+sphereParameters c radiusSquared r = quadraticRoots (directionQuadrance r) (2 * dot w d) (dot w w - radiusSquared)
   where
     d = direction r
     w = origin r - c
@@ -60,10 +60,13 @@ sphereParameters c radiusSquared r = quadraticRoots (dot d d) (2 * dot w d) (dot
 
 -- | The same, without the parameters behind the origin where that costs nothing: a ray that starts outside (C0 > 0) and does not come nearer (B >= 0)
 -- meets the sphere at no positive parameter, since the two roots have the product C0 \/ A > 0 and the sum -B \/ A <= 0.
+--
+-- Whether its line meets the sphere at all is asked first: it seldom does, while half of the spheres are behind, and a processor guesses the first question's answer right.
 sphereParametersAhead :: Point -> Double -> Ray -> [Double]
 sphereParametersAhead c radiusSquared r
+  | clearlyNone (directionQuadrance r) b c0 = []
   | b >= 0 && c0 > 0 = []
-  | otherwise = quadraticRoots (dot d d) b c0
+  | otherwise = quadraticRoots (directionQuadrance r) b c0
   where
     d = direction r
     w = origin r - c

@@ -1,5 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE DeriveTraversable #-}
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE HexFloatLiterals #-}
 
 -- |
 -- Module      : Dioptre.Geometry.Triangle
@@ -47,7 +49,7 @@ import Linear.V3 (V3 (..))
 
 -- | Something for each corner, in the order P0, P1, P2.
 data Corners a = Corners a a a
-  deriving stock (Eq, Show)
+  deriving stock (Eq, Show, Functor, Foldable)
 
 -- | A flat triangle.
 data Triangle = Triangle
@@ -135,8 +137,15 @@ edge (Shadow ax ay) (Shadow bx by) = ax * by - ay * bx
 --
 -- > t1 = (<w,s1><s2,s2> - <w,s2><s1,s2>) / D
 -- > t2 = (<w,s2><s1,s1> - <w,s1><s1,s2>) / D
+--
+-- For needles, and for triangles so small or large that a product leaves the range, they come from cross products instead: see Note [Needles].
+--
+-- >>> barycentric (V3 0 0 0) (V3 1 0 0) (V3 1 0x1p-40 0) (V3 0.75 0x1p-42 0)
+-- (0.5,0.25)
 barycentric :: Point -> Point -> Point -> Point -> (Double, Double)
-barycentric p0 p1 p2 p = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
+barycentric p0 p1 p2 p
+  | d > 0x1p-20 * (s11 * s22) && ordinary s11 && ordinary s22 && dot w w < 1e140 = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
+  | otherwise = byCrossProducts w s1 s2
   where
     w = p - p0
     s1 = p1 - p0
@@ -147,11 +156,31 @@ barycentric p0 p1 p2 p = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) /
     ws1 = dot w s1
     ws2 = dot w s2
     d = s11 * s22 - s12 * s12
+    ordinary x = x > 1e-140 && x < 1e140
+{-# INLINE barycentric #-}
+
+-- | The same for any triangle: with n = s1 x s2,
+--
+-- > t1 = <w x s2, n> / <n, n>
+-- > t2 = <s1 x w, n> / <n, n>
+--
+-- of vectors each of which was first brought near the length 1 by a power of two.
+byCrossProducts :: Vector -> Vector -> Vector -> (Double, Double)
+byCrossProducts w s1 s2 = (share (cross w' s2') k1, share (cross s1' w') k2)
+  where
+    (k, w') = brought w
+    (k1, s1') = brought s1
+    (k2, s2') = brought s2
+    n = cross s1' s2'
+    share part k' = scaleFloat (k - k') (dot part n / dot n n)
+    brought v = let e = exponent (maximum (abs <$> v)) in (e, scaleFloat (negate e) <$> v)
+{-# NOINLINE byCrossProducts #-}
 
 -- | (1 - t1 - t2) N0 + t1 N1 + t2 N2, made unit; the flat normal where that vanishes.
 interpolatedNormal :: Unit -> Corners Unit -> (Double, Double) -> Unit
 interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
   fromMaybe flat (unit ((1 - t1 - t2) *^ vector n0 + t1 *^ vector n1 + t2 *^ vector n2))
+{-# INLINE interpolatedNormal #-}
 
 -- Note [Watertight]
 -- ~~~~~~~~~~~~~~~~~
@@ -165,3 +194,14 @@ interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
 -- one accepts a ray that passes between their outer corners. (The scalar triple product <d, a x b> is antisymmetric too, and needs
 -- no shear; but near a corner its error is that of the distance to the corner, not of its shadow's size, and three signs at
 -- one corner need not fit together.)
+
+-- Note [Needles]
+-- ~~~~~~~~~~~~~~
+-- D is |s1|^2 |s2|^2 times the squared sine of the angle between the edges, and is computed as a difference of numbers of the size of |s1|^2 |s2|^2, so that
+-- it carries an error of some 2^-52 of that. At a sine of 2^-10 the coordinates still have 2^-30 of themselves; at 2^-26 the difference is noise, or 0,
+-- while 'triangle' takes sines down to 'collinearSine'. The components of n = s1 x s2 are differences too, but of the sine itself, not its square: their
+-- error is 2^-52 in a sine. By <s1,s1><s2,s2> - <s1,s2>^2 = <n, n> and (a x b) . (c x d) = <a,c><b,d> - <a,d><b,c> the two ways are the same in exact arithmetic, and
+-- whatever w has along n counts in neither.
+--
+-- D is of the fourth degree in the size of the triangle, and leaves the range of binary64 for edges above 10^77, which a scene may have. The powers of two that
+-- bring the three vectors near 1 change no digit, and come back by one multiplication at the end. The ordinary case is left as the handout has it, bit for bit.

@@ -45,6 +45,7 @@ module Dioptre.Math.Roots
   ( -- * Solving
     linearRoots,
     quadraticRoots,
+    clearlyNone,
   )
 where
 
@@ -145,14 +146,22 @@ linear a b
 -- A copy of this stands wherever a shape solves its equation, so it holds the ordinary case and nothing else.
 quadratic :: Double -> Double -> Double -> Roots
 quadratic a b c
-  -- Most rays miss. Rounding keeps order, so that u < v proves D < 0, whatever a and b are.
-  | roomy (u + abs v) && u - v < 0 = None
+  -- Most rays miss.
+  | clearlyNone a b c = None
   | roomy (u + abs v) && roomy (abs a) && b /= 0 = solved (/) a b c u v
   | otherwise = quadraticElsewhere a b c
   where
     !u = b * b
     !v = (4 * a) * c
 {-# INLINE quadratic #-}
+
+-- | Whether it is clear at once that @a x^2 + b x + c@ has no root, as it is for most rays and most shapes: rounding keeps order, so that u < v, as computed, proves D < 0, whatever a and b are.
+clearlyNone :: Double -> Double -> Double -> Bool
+clearlyNone a b c = u - v < 0 && roomy (u + abs v)
+  where
+    !u = b * b
+    !v = (4 * a) * c
+{-# INLINE clearlyNone #-}
 
 -- | Whether a magnitude is far from both ends of the range of exponents; false for zero, infinity and NaN.
 roomy :: Double -> Bool

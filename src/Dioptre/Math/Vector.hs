@@ -111,10 +111,22 @@ distance a b = modulus (b - a)
 -- cosine is flat there; the tangent is not. Source: W. Kahan, "How futile are mindless assessments of roundoff",
 -- section 12.
 --
+-- Both vectors are first brought near the length 1 by a power of two, which changes neither digits nor the angle, so that no product leaves the range. The zero vector is looked for, since its
+-- dot product may be -0, and atan2 (0, -0) is pi.
+--
 -- >>> angle (V3 1 0 0) (V3 0 2 0) == pi / 2
 -- True
 angle :: Vector -> Vector -> Double
-angle a b = atan2 (modulus (cross a b)) (dot a b)
+angle a b
+  | a == 0 || b == 0 = 0
+  | otherwise = atan2 (modulus (cross a' b')) (dot a' b')
+  where
+    a' = nearOne a
+    b' = nearOne b
+
+-- | The vector times the power of two that brings its largest component to between 1\/2 and 1 in magnitude.
+nearOne :: Vector -> Vector
+nearOne v = scaleFloat (negate (exponent (maximum (abs <$> v)))) <$> v
 
 -- | The point at fraction @t@ of the way from @a@ to @b@: (1 - t) a + t b, which is exact at both ends.
 --
@@ -149,10 +161,9 @@ unit v
 unitScaled :: Vector -> Maybe Unit
 unitScaled v
   | v == 0 || isInfinite largest || isNaN largest = Nothing
-  | otherwise = Just (Unit (scaled ^/ modulus scaled))
+  | otherwise = let scaled = nearOne v in Just (Unit (scaled ^/ modulus scaled))
   where
     largest = maximum (fmap abs v)
-    scaled = fmap (scaleFloat (negate (exponent largest))) v
 {-# NOINLINE unitScaled #-}
 
 -- | The unit vector as a vector.

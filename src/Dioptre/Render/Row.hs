@@ -18,12 +18,13 @@ module Dioptre.Render.Row
     window,
     planWidth,
     planHeight,
-    planShapes,
+    planExtent,
 
     -- * Computing
     Row (..),
     row,
     Sampled (..),
+    Work (..),
     colourAt,
   )
 where
@@ -33,14 +34,17 @@ import qualified Data.Vector as Vector
 import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Storable.Mutable as Mutable
 import Data.Word (Word8)
+import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Light.Colour (Colour, black, plus, scaled)
+import Dioptre.Light.Finish (Finish (..), Layer (..))
+import Dioptre.Model.Library (Library)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
 import Dioptre.Render.Sampling (offset)
 import Dioptre.Render.Shade (Seen (..), look, unlit)
-import Dioptre.Render.Stage (Stage (..), Surface (..), stage)
-import Dioptre.Render.Texture (Assets)
+import Dioptre.Render.Stage (Stage (..), stage)
+import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.View (View, rayThrough, view, viewFar, viewWidth)
-import Dioptre.Render.World (Closest (..), closest, worldSize)
+import Dioptre.Render.World (Extent, closest, finishAt, worldExtent, worldHasPictures, worldOwn)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Viewport, viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (PixelCoordinate (Random), Raytracer (..))
@@ -51,12 +55,12 @@ data Plan = Plan
     planView :: !View,
     planStage :: !Stage,
     planRaytracer :: !Raytracer,
-    -- | What a ray sees without light: that meets nothing, and each shape by its number; 'Nothing' where there is light, or a texture.
+    -- | What a ray sees without light; 'Nothing' where there is light, or a texture.
     planPixels :: !(Maybe Flat)
   }
 
--- | The pixel of the background, and of each shape.
-data Flat = Flat !Pixel !(Vector.Vector Pixel)
+-- | The pixel of the background, those of the scene's own shapes by their numbers, and how to find those of models.
+data Flat = Flat !Pixel !(Vector.Vector Pixel) !(Int -> Pixel)
 
 -- | A part of a picture: its first column and row, its width and height, in pixels. Only 'window' makes one.
 data Window = Window {windowColumn :: !Int, windowRow :: !Int, windowWidth :: !Int, windowHeight :: !Int}
@@ -72,24 +76,24 @@ window port x y w h
 whole :: Viewport -> Window
 whole port = Window 0 0 (viewportWidth port) (viewportHeight port)
 
--- | The plan of a scene's whole picture, given the pictures that the scene uses.
-plan :: Assets -> Scene -> Plan
-plan assets scene = planWithin (whole (sceneViewport scene)) assets scene
+-- | The plan of a scene's whole picture, given the pictures and the models that the scene uses.
+plan :: Assets -> Library Texture -> Scene -> Plan
+plan assets library scene = planWithin (whole (sceneViewport scene)) assets library scene
 
 -- | The plan of a part of a scene's picture. Its pixels are those of the whole picture.
-planWithin :: Window -> Assets -> Scene -> Plan
-planWithin part assets scene =
+planWithin :: Window -> Assets -> Library Texture -> Scene -> Plan
+planWithin part assets library scene =
   Plan
     { planWindow = part,
       planView = view (sceneCamera scene) (sceneViewport scene),
       planStage = st,
       planRaytracer = tracer,
-      planPixels = if raytracerSampling tracer == 1 && plain then Just (Flat (toPixel black) (Vector.map (toPixel . surfaceDiffuse) surfaces)) else Nothing
+      planPixels = if raytracerSampling tracer == 1 && null (stageTerms st) && not (worldHasPictures w) then Just (Flat (toPixel black) (Vector.generate (worldOwn w) pixelAt) pixelAt) else Nothing
     }
   where
-    st = stage assets scene
-    surfaces = stageSurfaces st
-    plain = null (stageTerms st) && all (null . surfaceTextures) surfaces
+    st = stage assets library scene
+    w = stageWorld st
+    pixelAt = maybe (toPixel black) (\f -> let Layer c _ = finishDiffuse f in toPixel c) . finishAt w
     tracer = sceneRaytracer scene
     toPixel = pixelOf (raytracerColourNormalization tracer)
 
@@ -98,9 +102,9 @@ planWidth, planHeight :: Plan -> Int
 planWidth = windowWidth . planWindow
 planHeight = windowHeight . planWindow
 
--- | How many shapes there are to be tested.
-planShapes :: Plan -> Int
-planShapes = worldSize . stageWorld . planStage
+-- | How large the world is.
+planExtent :: Plan -> Extent
+planExtent = worldExtent . stageWorld . planStage
 
 -- | One row of a picture, and what it cost.
 data Row = Row
@@ -123,16 +127,19 @@ row p !i = case planPixels p of
   Nothing -> runRow $ \target -> litRow p y target
   where
     !y = windowRow (planWindow p) + i
-    runRow :: (forall s. Mutable.MVector s Word8 -> ST s (Int, Int)) -> Row
+    runRow :: (forall s. Mutable.MVector s Word8 -> ST s Work) -> Row
     runRow fill = runST $ do
       target <- Mutable.new (4 * planWidth p)
-      (rays, cut) <- fill target
+      Work rays tests cut <- fill target
       bytes <- Storable.unsafeFreeze target
-      pure (Row bytes rays (rays * planShapes p) cut)
+      pure (Row bytes rays tests cut)
+
+-- | How many rays a row took, how many times one was tried on a shape, and how many samples were cut.
+data Work = Work {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int
 
 -- | A row with one ray a pixel and no light to add up: each pixel is that of the shape that the ray sees, made once.
-flatRow :: Plan -> Flat -> Int -> Mutable.MVector s Word8 -> ST s (Int, Int)
-flatRow p (Flat background pixels) !y target = go 0
+flatRow :: Plan -> Flat -> Int -> Mutable.MVector s Word8 -> ST s Work
+flatRow p (Flat background pixels pixelAt) !y target = go 0 0
   where
     !width = planWidth p
     !left = windowColumn (planWindow p)
@@ -141,29 +148,29 @@ flatRow p (Flat background pixels) !y target = go 0
     !w = stageWorld (planStage p)
     !(!dx, !dy) = offset (planRaytracer p) (viewWidth v) left y 0
     !random = raytracerPixelCoordinate (planRaytracer p) == Random
-    go !x
-      | x >= width = pure (width, 0)
+    go !x !tests
+      | x >= width = pure (Work width tests 0)
       | otherwise = do
         let !sx = if random then fst (offset (planRaytracer p) (viewWidth v) (left + x) y 0) else dx
             !sy = if random then snd (offset (planRaytracer p) (viewWidth v) (left + x) y 0) else dy
-        put target x $ case closest w (rayThrough v (fromIntegral (left + x) + sx) (fromIntegral y + sy)) far of
-          Nowhere -> background
-          At _ i -> Vector.unsafeIndex pixels i
-        go (x + 1)
+        case closest w (rayThrough v (fromIntegral (left + x) + sx) (fromIntegral y + sy)) far of
+          Closest _ i tried -> do
+            put target x (if i < 0 then background else if i < Vector.length pixels then Vector.unsafeIndex pixels i else pixelAt i)
+            go (x + 1) (tests + tried)
 
 -- | A row with light, textures or several rays a pixel.
-litRow :: Plan -> Int -> Mutable.MVector s Word8 -> ST s (Int, Int)
-litRow p !y target = go 0 0 0
+litRow :: Plan -> Int -> Mutable.MVector s Word8 -> ST s Work
+litRow p !y target = go 0 0 0 0
   where
     !width = planWidth p
     !left = windowColumn (planWindow p)
     normalization = raytracerColourNormalization (planRaytracer p)
-    go !x !rays !cut
-      | x >= width = pure (rays, cut)
+    go !x !rays !tests !cut
+      | x >= width = pure (Work rays tests cut)
       | otherwise = case colourAt p (left + x) y of
-        Sampled colour n c -> do
+        Sampled colour (Work n m c) -> do
           put target x (pixelOf normalization colour)
-          go (x + 1) (rays + n) (cut + c)
+          go (x + 1) (rays + n) (tests + m) (cut + c)
 
 -- | Puts a pixel into a row; its column must be one of the row's.
 put :: Mutable.MVector s Word8 -> Int -> Pixel -> ST s ()
@@ -175,29 +182,29 @@ put target !x (Pixel r g b a) = do
   Mutable.unsafeWrite target (4 * x + 3) a
 {-# INLINE put #-}
 
--- | The colour of a pixel before it becomes one, how many rays it took, and how many of its samples were cut.
-data Sampled = Sampled !Colour {-# UNPACK #-} !Int {-# UNPACK #-} !Int
-  deriving stock (Eq, Show)
+-- | The colour of a pixel before it becomes one, and what it took.
+data Sampled = Sampled !Colour !Work
 
 -- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order and opaque.
 colourAt :: Plan -> Int -> Int -> Sampled
 colourAt p x y
   | samples == 1 = sample p x y 0
-  | otherwise = total 0 black 0 0
+  | otherwise = total 0 black 0 0 0
   where
     samples = raytracerSampling (planRaytracer p)
-    total !k !sum' !rays !cut
-      | k >= samples = Sampled (scaled (1 / fromIntegral samples) sum') rays cut
+    total !k !sum' !rays !tests !cut
+      | k >= samples = Sampled (scaled (1 / fromIntegral samples) sum') (Work rays tests cut)
       | otherwise = case sample p x y k of
-        Sampled c n m -> total (k + 1) (sum' `plus` c) (rays + n) (cut + m)
+        Sampled c (Work n m l) -> total (k + 1) (sum' `plus` c) (rays + n) (tests + m) (cut + l)
 
 -- | What one ray through a pixel sees.
 sample :: Plan -> Int -> Int -> Int -> Sampled
-sample p x y k = case stageTerms st of
-  Nothing -> Sampled (unlit st (viewFar v) r) 1 0
-  Just terms -> case look st terms (viewFar v) r of
-    Seen colour rays cut -> Sampled colour rays (if cut then 1 else 0)
+sample p x y k = case seen of
+  Seen colour rays tests cut -> Sampled colour (Work rays tests (if cut then 1 else 0))
   where
+    seen = case stageTerms st of
+      Nothing -> unlit st (viewFar v) r
+      Just terms -> look st terms (viewFar v) r
     st = planStage p
     v = planView p
     !(!dx, !dy) = offset (planRaytracer p) (viewWidth v) x y k

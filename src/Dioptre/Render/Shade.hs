@@ -22,7 +22,10 @@ module Dioptre.Render.Shade
 
     -- * Parts
     Lit (..),
+    Colours (..),
+    coloursAt,
     lighting,
+    Way (..),
     Passage (..),
     passage,
     mediumAt,
@@ -30,10 +33,13 @@ module Dioptre.Render.Shade
   )
 where
 
+import Data.List (foldl', sortOn)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Prepared (Prepared, contains, isClosed, nearest, normalAt, shadingNormal, textureAt)
+import Dioptre.Geometry.Closest (Closest (..))
+import Dioptre.Geometry.Prepared (isClosed, normalAt, shadingNormal, textureAt)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Light.Colour (Colour (..), black, filtered, plus, scaled)
+import Dioptre.Light.Finish (Finish (..), Layer (..), hasPictures, isTransparent)
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
 import Dioptre.Math.Tolerance (smallestLength)
@@ -42,7 +48,7 @@ import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Stage
 import Dioptre.Render.Texture (texel)
-import Dioptre.Render.World (Closest (..), closest, shapeAt, worldShapes)
+import Dioptre.Render.World (Obstacles (..), Surface (..), World, closest, finishAt, obstacles, surfaceAt, surroundings, worldHasMedia)
 import Linear.V3 (V3 (..))
 
 -- | What a ray sees.
@@ -50,6 +56,8 @@ data Seen = Seen
   { seenColour :: !Colour,
     -- | How many rays were cast for it: primary, reflected, refracted and shadow rays.
     seenRays :: {-# UNPACK #-} !Int,
+    -- | How many times one of them was tried on a shape.
+    seenTests :: {-# UNPACK #-} !Int,
     -- | Whether more rays were wanted than 'mostRays' allows.
     seenCut :: !Bool
   }
@@ -60,12 +68,13 @@ mostRays :: Int
 mostRays = 65536
 
 -- | Without light: the diffuse colour of the first surface, as opaque as its material, or black.
-unlit :: Stage -> Double -> Ray -> Colour
+unlit :: Stage -> Double -> Ray -> Seen
 unlit s far r = case closest (stageWorld s) r far of
-  Nowhere -> black
-  At t i -> case shapeAt (stageWorld s) i of
-    Just shape -> diffuseOf (coloursAt (surfaceOf s i) shape r t)
-    Nothing -> black
+  Closest t i tests -> Seen (maybe black (colour t i) (finishAt (stageWorld s) i)) 1 tests False
+  where
+    colour t i f
+      | hasPictures f = maybe black (\surface -> diffuseOf (coloursAt surface r t)) (surfaceAt (stageWorld s) i)
+      | Layer c _ <- finishDiffuse f = c
 
 -- | With light: what the ray sees, up to the stage's depth, no farther than that from the start of each ray.
 look :: Stage -> Terms -> Double -> Ray -> Seen
@@ -76,9 +85,10 @@ look s terms far !r
 -- | One ray, no bounce.
 lookOnce :: Stage -> Terms -> Double -> Ray -> Seen
 lookOnce s terms far !r = case closest (stageWorld s) r far of
-  Nowhere -> Seen black 1 False
-  At t i -> case lighting s terms r t i of
-    Lit red' green' blue' n -> Seen (Colour red' green' blue' 1) (n + 1) False
+  Closest t i tests -> case surfaceAt (stageWorld s) i of
+    Nothing -> Seen black 1 tests False
+    Just surface@(Surface shape _) -> case lighting s terms (coloursAt surface r t) (packed (position r t)) (packedUnit (shadingNormal r (normalAt shape r t))) (packed (direction r)) of
+      Lit red' green' blue' n m -> Seen (Colour red' green' blue' 1) (n + 1) (m + tests) False
 
 -- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of where it travels.
 data Pending = Pending !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
@@ -87,75 +97,67 @@ data Stack = Done | Then !Pending !Stack
 
 -- | Follows all rays of a stack, the top one first, and adds up what they see by its weight.
 follow :: Stage -> Terms -> Double -> Stack -> Seen
-follow s terms far = go 0 0 black
+follow s terms far = go 0 0 0 black
   where
-    go :: Int -> Int -> Colour -> Stack -> Seen
-    go !_ !rays !total Done = Seen total rays False
-    go !followed !rays !total (Pending r depth wr wg wb index `Then` rest)
-      | followed >= mostRays = Seen total rays True
+    go :: Int -> Int -> Int -> Colour -> Stack -> Seen
+    go !_ !rays !tests !total Done = Seen total rays tests False
+    go !followed !rays !tests !total (Pending r depth wr wg wb index `Then` rest)
+      | followed >= mostRays = Seen total rays tests True
       | otherwise = case closest (stageWorld s) r far of
-        Nowhere -> go (followed + 1) (rays + 1) total rest
-        At t i -> case lighting s terms r t i of
-          Lit red' green' blue' n ->
-            -- The number of the closest shape is that of a shape.
-            let !total' = total `plus` Colour (wr * red') (wg * green') (wb * blue') 1
-                !bounces = if depth < stageDepth s then branches (Vector.unsafeIndex (worldShapes (stageWorld s)) i) r t i depth wr wg wb index rest else rest
-             in go (followed + 1) (rays + 1 + n) total' bounces
+        Closest t i tried -> case surfaceAt (stageWorld s) i of
+          Nothing -> go (followed + 1) (rays + 1) (tests + tried) total rest
+          Just surface@(Surface shape _) ->
+            let !at = packed (position r t)
+                !outward = packedUnit (normalAt shape r t)
+                !n = packedUnit (shadingNormal r (unpackedUnit outward))
+             in case lighting s terms (coloursAt surface r t) at n (packed (direction r)) of
+                  Lit red' green' blue' shadows m ->
+                    let !total' = total `plus` Colour (wr * red') (wg * green') (wb * blue') 1
+                        !bounces = if depth < stageDepth s then branches surface r (unpacked at) (unpackedUnit outward) (unpackedUnit n) i depth wr wg wb index rest else rest
+                     in go (followed + 1) (rays + 1 + shadows) (tests + tried + m) total' bounces
 
     -- The reflected ray goes on top, so that it is followed first.
-    branches !shape !r !t !i !depth !wr !wg !wb !index rest
-      | kr == 0 && not (isTransparent surf) = rest
+    branches (Surface shape f) !r p outward n !i !depth !wr !wg !wb !index rest
+      | kr == 0 && not (isTransparent f) = rest
       | otherwise = mirrored (through rest)
       where
-        !surf = surfaceOf s i
-        !kr = surfaceMirror surf
-        outward = unpackedUnit outwardAtRest
-        n = unpackedUnit nAtRest
-        !outwardAtRest = packedUnit (normalAt shape r t)
-        !nAtRest = packedUnit (shadingNormal r outward)
+        !kr = finishMirror f
         v = direction r
-        p = position r t
         mirrored stack
           | kr == 0 = stack
           | otherwise = Pending (ray p (reflected v n)) (depth + 1) (kr * wr) (kr * wg) (kr * wb) index `Then` stack
         through stack
-          | not (isTransparent surf) || not (isClosed shape) = stack
+          | not (isTransparent f) || not (isClosed shape) = stack
           | dot v (vector outward) > 0 =
-            let kt = surfaceTransparency surf
+            let kt = finishTransparency f
              in onwards stack (mediumAt s (Just i) p) (kt * wr) (kt * wg) (kt * wb)
           | otherwise =
-            let Colour tr tg tb _ = surfaceTint surf
-             in onwards stack (surfaceIndex surf) (tr * wr) (tg * wg) (tb * wb)
+            let Colour tr tg tb _ = finishTint f
+             in onwards stack (finishIndex f) (tr * wr) (tg * wg) (tb * wb)
           where
-            onwards below beyond r' g' b' = case refracted v n index beyond of
-              Nothing -> below
-              Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` below
+            onwards below' beyond r' g' b' = case refracted v n index beyond of
+              Nothing -> below'
+              Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` below'
 
--- | An amount of red, green and blue light, and how many shadow rays it took.
-data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int
+-- | An amount of red, green and blue light, how many shadow rays it took, and how many times one was tried on a shape.
+data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int {-# UNPACK #-} !Int
 
--- | The light that the shape of number i sends along a ray that meets it at parameter t: the sum over all lights, in their order.
-lighting :: Stage -> Terms -> Ray -> Double -> Int -> Lit
-lighting s terms !r !t i = case shapeAt (stageWorld s) i of
-  Nothing -> Lit 0 0 0 0
-  Just shape ->
-    let !colours = coloursAt (surfaceOf s i) shape r t
-        !n = packedUnit (shadingNormal r (normalAt shape r t))
-        !p = packed (position r t)
-        !v = packed (direction r)
-        !sources = stageSources s
-        go !k !red' !green' !blue' !rays
-          | k >= Vector.length sources = Lit red' green' blue' rays
-          | otherwise = case illuminated s terms colours p n v (Vector.unsafeIndex sources k) of
-            Lit r' g' b' m -> go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m)
-     in go (0 :: Int) 0 0 0 0
+-- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the ray, seen in a direction; the sum over all lights, in their order.
+lighting :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Lit
+lighting s terms !colours !p !n !v = go (0 :: Int) 0 0 0 0 0
+  where
+    !sources = stageSources s
+    go !k !red' !green' !blue' !rays !tests
+      | k >= Vector.length sources = Lit red' green' blue' rays tests
+      | otherwise = case illuminated s terms colours p n v (Vector.unsafeIndex sources k) of
+        Lit r' g' b' m tried -> go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m) (tests + tried)
 
 -- | The light of one source at a point with normal n, seen in direction v.
 illuminated :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Source -> Lit
 illuminated s terms !colours !at !normal !view source = case source of
   FromEverywhere light
-    | termAmbient terms -> litBy (ambient light (ambientOf colours)) 0
-    | otherwise -> Lit 0 0 0 0
+    | termAmbient terms -> litBy (ambient light (ambientOf colours)) 0 0
+    | otherwise -> Lit 0 0 0 0 0
   FromFar light d ->
     arriving (unpacked d) infinity $ \filter' -> surfaceTerms terms colours n v (unpacked d) (throughFilter light filter')
   FromPoint light place amplification attenuators ->
@@ -169,14 +171,15 @@ illuminated s terms !colours !at !normal !view source = case source of
     v = unpacked view
     -- What arrives along d from a distance, unless the surface is turned away or something stands between.
     arriving d distance' shine
-      | negate (dot (vector n) d) <= 0 = Lit 0 0 0 0
-      | otherwise = case passage s (ray p (negate d)) distance' of
-        Blocked -> Lit 0 0 0 1
-        open -> litBy (shine open) 1
+      | negate (dot (vector n) d) <= 0 = Lit 0 0 0 0 0
+      | otherwise = case passage (stageWorld s) (ray p (negate d)) distance' of
+        Passage light tests -> case light of
+          Blocked -> Lit 0 0 0 1 tests
+          open -> litBy (shine open) 1 tests
     {-# INLINE arriving #-}
     -- From a place, with attenuation; nothing from the very place itself, or where the attenuation divides by zero.
     from place amplification attenuators shine
-      | distance' == 0 || denominator == 0 = Lit 0 0 0 0
+      | distance' == 0 || denominator == 0 = Lit 0 0 0 0 0
       | otherwise = arriving d distance' (shine d (amplification / denominator))
       where
         between = p - unpacked place
@@ -186,7 +189,7 @@ illuminated s terms !colours !at !normal !view source = case source of
         denominator = constant + linear * distance' + quadratic * distance' * distance'
     {-# INLINE from #-}
 
-litBy :: Colour -> Int -> Lit
+litBy :: Colour -> Int -> Int -> Lit
 litBy (Colour r g b _) = Lit r g b
 {-# INLINE litBy #-}
 
@@ -213,7 +216,7 @@ dark :: Colour -> Bool
 dark (Colour r g b _) = r < smallestLength && g < smallestLength && b < smallestLength
 
 -- | What stands between a point and a light.
-data Passage
+data Way
   = -- | Something that lets nothing through.
     Blocked
   | -- | Nothing.
@@ -222,24 +225,23 @@ data Passage
     Tinted {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   deriving stock (Eq, Show)
 
--- | What a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it.
---
--- Law: it does not depend on the order of the shapes, up to the rounding of the product.
-passage :: Stage -> Ray -> Double -> Passage
-passage s !r !distance' = go 0 False 1 1 1
-  where
-    !shapes = worldShapes (stageWorld s)
-    !size = Vector.length shapes
-    go !k !tinted !tr !tg !tb
-      | k >= size = if tinted then Tinted tr tg tb else Clear
-      | nearest (Vector.unsafeIndex shapes k) r distance' < distance' =
-        let surf = Vector.unsafeIndex (stageSurfaces s) k
-            Colour r' g' b' _ = surfaceTint surf
-         in if isTransparent surf then go (k + 1) True (tr * r') (tg * g') (tb * b') else Blocked
-      | otherwise = go (k + 1) tinted tr tg tb
+-- | What stands there, and how many times the ray was tried on a shape to know it.
+data Passage = Passage !Way {-# UNPACK #-} !Int
+  deriving stock (Eq, Show)
 
-throughFilter :: Colour -> Passage -> Colour
-throughFilter light filter' = case filter' of
+-- | What a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
+passage :: World -> Ray -> Double -> Passage
+passage w !r !bound = case obstacles w r bound of
+  Obstacles opaque through tests
+    | opaque -> Passage Blocked tests
+    | null through -> Passage Clear tests
+    | otherwise -> Passage (foldl' tinted (Tinted 1 1 1) (sortOn fst through)) tests
+  where
+    tinted (Tinted r' g' b') (_, f) = let Colour x y z _ = finishTint f in Tinted (r' * x) (g' * y) (b' * z)
+    tinted other _ = other
+
+throughFilter :: Colour -> Way -> Colour
+throughFilter light way = case way of
   Blocked -> black
   Clear -> light
   Tinted r g b -> filtered light (Colour r g b 1)
@@ -248,26 +250,22 @@ throughFilter light filter' = case filter' of
 -- A point on a surface is not inside.
 mediumAt :: Stage -> Maybe Int -> Point -> Double
 mediumAt s leftOut p
-  | not (stageHasMedia s) = 1
-  | otherwise = case [surfaceIndex (surfaceOf s i) | (i, shape) <- zip [0 ..] (Vector.toList (worldShapes (stageWorld s))), Just i /= leftOut, contains shape p] of
+  | not (worldHasMedia (stageWorld s)) = 1
+  | otherwise = case map finishIndex (surroundings (stageWorld s) leftOut p) of
     [] -> 1
     indices -> sum indices / fromIntegral (length indices)
 
 -- | The colours of a surface at one of its points.
 data Colours = Colours {ambientOf :: !Colour, diffuseOf :: !Colour, specularOf :: !Colour, shininessOf :: {-# UNPACK #-} !Double}
 
-coloursAt :: Surface -> Prepared -> Ray -> Double -> Colours
-coloursAt surf shape r t = case surfaceTextures surf of
-  Nothing -> Colours (surfaceAmbient surf) (surfaceDiffuse surf) (surfaceSpecular surf) (surfaceShininess surf)
-  Just (TexturedColours a d h) ->
-    let uv = textureAt shape r t
-        or' plain = maybe plain (`texel` uv)
-     in Colours (or' (surfaceAmbient surf) a) (or' (surfaceDiffuse surf) d) (or' (surfaceSpecular surf) h) (surfaceShininess surf)
-
--- | The surface of a shape that is there.
-surfaceOf :: Stage -> Int -> Surface
-surfaceOf s = Vector.unsafeIndex (stageSurfaces s)
-{-# INLINE surfaceOf #-}
+-- | The colours of a surface where a ray meets it, at a parameter.
+coloursAt :: Surface -> Ray -> Double -> Colours
+coloursAt (Surface shape f) r t = case f of
+  Finish {finishAmbient = Layer a Nothing, finishDiffuse = Layer d Nothing, finishSpecular = Layer h Nothing} -> Colours a d h (finishShininess f)
+  _ -> Colours (at (finishAmbient f)) (at (finishDiffuse f)) (at (finishSpecular f)) (finishShininess f)
+  where
+    uv = textureAt shape r t
+    at (Layer plain picture) = maybe plain (`texel` uv) picture
 
 -- Note [Rays as a stack]
 -- ~~~~~~~~~~~~~~~~~~~~~~

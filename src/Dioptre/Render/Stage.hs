@@ -2,19 +2,13 @@
 
 -- |
 -- Module      : Dioptre.Render.Stage
--- Description : Surfaces and lights made ready
+-- Description : The world and its lights made ready
 --
--- What shading needs of a scene beside its shapes: the colours that follow from each material, the lights with unit directions, and
--- which terms of illumination are added up.
+-- What shading needs of a scene: the world of its shapes, the lights with unit directions, and which terms of illumination are added up.
 module Dioptre.Render.Stage
   ( -- * Stages
     Stage (..),
     stage,
-
-    -- * Surfaces
-    Surface (..),
-    TexturedColours (..),
-    isTransparent,
 
     -- * Lights
     Source (..),
@@ -28,20 +22,17 @@ where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
-import Data.Text (Text)
 import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import qualified Data.Vector.Unboxed as Unboxed
 import Dioptre.Light.Colour (Colour, white)
-import qualified Dioptre.Light.Colour as Colour
 import Dioptre.Light.Light (Aperture (..), Lamp (..), Light (..), Opening (..), Wave (..))
-import Dioptre.Light.Material (Material (..), Textures (..), ambientColour, diffuseColour, specularColour)
 import Dioptre.Light.Wave (linearOscillators, planarOscillators)
 import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector (Packed, Point, packed, unit, vector, (*^))
-import Dioptre.Picture (Picture)
-import Dioptre.Render.Texture (Assets, texel)
-import Dioptre.Render.World (World, world, worldMaterials)
+import Dioptre.Model.Library (Library)
+import Dioptre.Render.Texture (Assets, Texture (..), Upward (..), texel)
+import Dioptre.Render.World (World, world)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
 import Linear.V2 (V2 (..))
@@ -50,79 +41,22 @@ import Linear.V3 (V3 (..))
 -- | Everything that the colour of a ray depends on.
 data Stage = Stage
   { stageWorld :: !World,
-    -- | The surface of each shape, by its number.
-    stageSurfaces :: !(Vector Surface),
     stageSources :: !(Vector Source),
     -- | 'Nothing' for no light at all.
     stageTerms :: !(Maybe Terms),
     -- | How deep reflected and refracted rays go; 1 for none.
-    stageDepth :: {-# UNPACK #-} !Int,
-    -- | Whether any closed shape lets light through, so that refractive indices matter.
-    stageHasMedia :: !Bool
+    stageDepth :: {-# UNPACK #-} !Int
   }
 
--- | The stage of a scene with its pictures.
-stage :: Assets -> Scene -> Stage
-stage assets scene =
+-- | The stage of a scene with its pictures and models.
+stage :: Assets -> Library Texture -> Scene -> Stage
+stage assets library scene =
   Stage
-    { stageWorld = w,
-      stageSurfaces = surfaces,
+    { stageWorld = world assets library scene,
       stageSources = Vector.fromList (mapMaybe (source assets) (sceneLights scene)),
       stageTerms = termsOf (raytracerAlgorithm (sceneRaytracer scene)),
-      stageDepth = raytracerRecursiveLevel (sceneRaytracer scene),
-      stageHasMedia = Vector.any isTransparent surfaces
+      stageDepth = raytracerRecursiveLevel (sceneRaytracer scene)
     }
-  where
-    w = world scene
-    surfaces = Vector.map (surface assets) (worldMaterials w)
-
--- | A material's colours.
-data Surface = Surface
-  { surfaceAmbient :: !Colour,
-    surfaceDiffuse :: !Colour,
-    surfaceSpecular :: !Colour,
-    surfaceShininess :: {-# UNPACK #-} !Double,
-    -- | kr.
-    surfaceMirror :: {-# UNPACK #-} !Double,
-    -- | kt.
-    surfaceTransparency :: {-# UNPACK #-} !Double,
-    -- | The colour times kt.
-    surfaceTint :: !Colour,
-    -- | That of the material, or 1 where nothing passes.
-    surfaceIndex :: {-# UNPACK #-} !Double,
-    surfaceTextures :: !(Maybe TexturedColours)
-  }
-
--- | Pictures that stand in for the three colours where there are texture coordinates.
-data TexturedColours = TexturedColours
-  { texturedAmbient :: !(Maybe Picture),
-    texturedDiffuse :: !(Maybe Picture),
-    texturedSpecular :: !(Maybe Picture)
-  }
-
--- | Whether a surface lets light through.
-isTransparent :: Surface -> Bool
-isTransparent s = surfaceTransparency s /= 0
-
-surface :: Assets -> Material -> Surface
-surface assets m =
-  Surface
-    { surfaceAmbient = ambientColour m,
-      surfaceDiffuse = diffuseColour m,
-      surfaceSpecular = specularColour m,
-      surfaceShininess = materialShininess m,
-      surfaceMirror = materialKr m,
-      surfaceTransparency = materialKt m,
-      surfaceTint = Colour.scaled (materialKt m) (materialColour m),
-      surfaceIndex = if materialKt m /= 0 then materialRefractiveIndex m else 1,
-      surfaceTextures = materialTextures m >>= textured
-    }
-  where
-    textured t = case TexturedColours (at textureKa t) (at textureKd t) (at textureKs t) of
-      TexturedColours Nothing Nothing Nothing -> Nothing
-      some -> Just some
-    at :: (Textures -> Text) -> Textures -> Maybe Picture
-    at which t = Map.lookup (which t) assets
 
 -- | A light, ready.
 data Source
@@ -160,7 +94,7 @@ isOpen :: Assets -> Opening -> Aperture -> Double -> Double -> Bool
 isOpen assets opening aperture x y = case opening of
   Rectangle -> True
   Ellipse -> let dx = x - w / 2; dy = y - h / 2 in dx * dx / (w * w / 4) + dy * dy / (h * h / 4) <= 1 + 1e-10
-  Mask name -> maybe True (\p -> texel p (V2 (x / w) (y / h)) == white) (Map.lookup name assets)
+  Mask name -> maybe True (\p -> texel (Texture FromFirstRow p) (V2 (x / w) (y / h)) == white) (Map.lookup name assets)
   where
     w = apertureWidth aperture
     h = apertureHeight aperture

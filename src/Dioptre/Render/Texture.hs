@@ -1,8 +1,12 @@
+{-# LANGUAGE DerivingStrategies #-}
+
 -- |
 -- Module      : Dioptre.Render.Texture
 -- Description : Pictures on surfaces
 module Dioptre.Render.Texture
   ( Assets,
+    Texture (..),
+    Upward (..),
     texel,
   )
 where
@@ -19,13 +23,31 @@ import Linear.V2 (V2 (..))
 -- | The pictures that a scene uses, by the names that it has for them.
 type Assets = Map Text Picture
 
--- | The colour of a picture at texture coordinates: the picture repeats beyond 0 and 1, v runs down from the first row, and the pixel is the one
+-- | A picture, and how the texture coordinate v runs over it.
+data Texture = Texture
+  { textureUpward :: !Upward,
+    texturePicture :: !Picture
+  }
+  deriving stock (Eq, Show)
+
+-- | Where v = 0 is.
+data Upward
+  = -- | In the first row: v runs down.
+    FromFirstRow
+  | -- | In the last row: v runs up, and 1 - v is looked up.
+    FromLastRow
+  deriving stock (Eq, Show)
+
+-- | The colour of a picture at texture coordinates: the picture repeats beyond 0 and 1, v runs as the texture says, and the pixel is the one
 -- at trunc (u (width - 1)), trunc (v (height - 1)). Alpha is left out.
-texel :: Picture -> V2 Double -> Colour
-texel p (V2 u v) = rgb (channel 0) (channel 1) (channel 2)
+texel :: Texture -> V2 Double -> Colour
+texel (Texture upward p) (V2 u v) = rgb (channel 0) (channel 1) (channel 2)
   where
-    x = place u (pictureWidth p)
-    y = place v (pictureHeight p)
-    place c size = min (size - 1) (max 0 (truncate (wrapped c * fromIntegral (size - 1))))
+    x = place (wrapped u) (pictureWidth p)
+    y = place (down (wrapped v)) (pictureHeight p)
+    down w = case upward of
+      FromFirstRow -> w
+      FromLastRow -> 1 - w
+    place c size = min (size - 1) (max 0 (truncate (c * fromIntegral (size - 1))))
     -- The place of the pixel is within the picture, whose bytes are four a pixel.
     channel k = float2Double (fromIntegral (pictureBytes p Storable.! (4 * (y * pictureWidth p + x) + k)) / 255)

@@ -1,3 +1,4 @@
+{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
@@ -7,10 +8,22 @@
 --
 -- The stage that turns a syntax tree into a scene. It never fails: every fault becomes a diagnostic with its place, in one
 -- pass, and what was wrong is replaced by what stood before it or by the default, so that there is always a picture.
+--
+-- A model can be written in the same language: primitives, materials and other models, without a camera or lights.
 module Dioptre.Scene.Check
-  ( checkScene,
-    pictureNames,
+  ( -- * Scenes
+    checkScene,
+    checkSceneFile,
     sceneWords,
+
+    -- * Models in the scene language
+    ModelFile (..),
+    checkModelFile,
+    modelWords,
+
+    -- * Other files that they name
+    Mention (..),
+    pictureNames,
   )
 where
 
@@ -18,8 +31,9 @@ import Control.Monad (foldM, unless, when)
 import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.State.Strict (evalStateT, get, modify')
 import Data.Foldable (for_, toList, traverse_)
+import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe, isJust, listToMaybe)
 import Data.Sequence (Seq, (|>))
 import qualified Data.Sequence as Seq
 import qualified Data.Set as Set
@@ -45,44 +59,108 @@ import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tre
 --
 -- Law: checking what was written from a scene gives that scene.
 checkScene :: Tree -> (Scene, [Diagnostic])
-checkScene tree = runCheck (foldM item nothingYet tree >>= finish)
+checkScene tree = (scene, diagnostics)
+  where
+    (scene, _, diagnostics) = checkSceneFile tree
+
+-- | The same, with the places where the scene's models are named, in their order.
+checkSceneFile :: Tree -> (Scene, [Mention], [Diagnostic])
+checkSceneFile tree = (scene, mentions, diagnostics)
+  where
+    ((scene, mentions), diagnostics) = runCheck (foldM (item sceneWords object) nothingYet tree >>= finish)
+
+-- | The model that a tree describes, and all that is wrong with the file, in its order.
+checkModelFile :: Tree -> (ModelFile, [Diagnostic])
+checkModelFile tree = runCheck $ do
+  stock <- foldM (item modelWords into) emptyStock tree
+  ModelFile (parts stock) <$> furnished stock
+  where
+    into stock block = fromMaybe (stock <$ passOver Nothing modelWords block) (stocked block stock)
+    parts stock =
+      map snd . sortOn fst $
+        [(placeOf block, Right p) | (block, p) <- toList (primitives stock)]
+          <> [(placeOf block, Left (mention block m)) | (block, m) <- toList (models stock)]
+    placeOf = headSpan . blockHead
+
+-- | What a model in the scene language holds.
+--
+-- Invariant: every primitive's material is one of the materials, by name; of several of one name the first.
+data ModelFile = ModelFile
+  { -- | Other models and primitives, in the order of the file.
+    modelFileParts :: [Either Mention Primitive],
+    modelFileMaterials :: [Material]
+  }
+  deriving stock (Eq, Show)
+
+-- | A model that a file names, and where it does.
+data Mention = Mention
+  { mentionModel :: Model,
+    -- | Where the name of its file stands, or else the word that opens it.
+    mentionFile :: Span,
+    -- | Where its @uv_format@ stands, if it has one.
+    mentionUvFormat :: Maybe Span
+  }
+  deriving stock (Eq, Show)
+
+mention :: Block -> Model -> Mention
+mention block m = Mention m (valueOrHead Keyword.File block) (placeOfValue Keyword.UvFormat block)
 
 -- | What has been read of a scene so far. Things come with the block that they were read from, for what remains to be said of them.
 data Draft = Draft
   { camera :: Maybe (Block, Camera),
     viewport :: Maybe (Block, Viewport),
     raytracer :: Maybe (Block, Raytracer),
-    models :: Seq Model,
-    primitives :: Seq (Block, Primitive),
-    materials :: Seq (Block, Material),
+    things :: Stock,
     lights :: Seq Light
   }
 
-nothingYet :: Draft
-nothingYet = Draft Nothing Nothing Nothing Seq.empty Seq.empty Seq.empty Seq.empty
+-- | The part of it that models have as well.
+data Stock = Stock
+  { models :: Seq (Block, Model),
+    primitives :: Seq (Block, Primitive),
+    materials :: Seq (Block, Material)
+  }
 
--- | One thing at the level of the file.
-item :: Draft -> Node -> Check Draft
-item draft = \case
-  Object block -> object draft block
-  Statement p -> draft <$ report (headSpan (propertyHead p)) (misfit Nothing sceneWords (propertyHead p) TheLine)
+nothingYet :: Draft
+nothingYet = Draft Nothing Nothing Nothing emptyStock Seq.empty
+
+emptyStock :: Stock
+emptyStock = Stock Seq.empty Seq.empty Seq.empty
+
+-- | One thing at the level of the file, where these words may stand.
+item :: [Keyword] -> (a -> Block -> Check a) -> a -> Node -> Check a
+item words' into draft = \case
+  Object block -> into draft block
+  Statement p -> draft <$ report (headSpan (propertyHead p)) (misfit Nothing words' (propertyHead p) TheLine)
   LooseEnd word -> draft <$ report (headSpan word) (StrayEnd (headText word))
   OpenComment place -> draft <$ report place UnclosedComment
+
+-- | What a scene has in common with a model, with one more object; 'Nothing' for an object of another kind.
+stocked :: Block -> Stock -> Maybe (Check Stock)
+stocked block stock = case headKeyword (blockHead block) of
+  Just Keyword.Primitive -> Just (among primitiveSchema (\p -> stock {primitives = primitives stock |> (block, p)}))
+  Just Keyword.Material -> Just (among materialSchema (\m -> stock {materials = materials stock |> (block, m)}))
+  Just Keyword.TextureMaterial -> Just (among textureMaterialSchema (\m -> stock {materials = materials stock |> (block, m)}))
+  Just Keyword.Model -> Just (among modelSchema (\m -> stock {models = models stock |> (block, m)}) <* namesAFile)
+  _ -> Nothing
+  where
+    among :: Schema a b -> (b -> Stock) -> Check Stock
+    among schema add = maybe stock add <$> readObject readShape schema block
+    -- A name that was begun and is missing has been told.
+    namesAFile = case listToMaybe [v | Statement (Property word v) <- reverse (blockNodes block), headKeyword word == Just Keyword.File] of
+      Nothing -> report (headSpan (blockHead block)) NoModelFile
+      Just v -> when (valueText v == "none") (report (valueSpan v) NoModelFile)
 
 object :: Draft -> Block -> Check Draft
 object draft block = case headKeyword (blockHead block) of
   Just Keyword.Camera -> alone cameraSchema camera (\c -> draft {camera = Just c})
   Just Keyword.Viewport -> alone viewportSchema viewport (\v -> draft {viewport = Just v})
   Just Keyword.Raytracer -> alone raytracerSchema raytracer (\r -> draft {raytracer = Just r})
-  Just Keyword.Primitive -> among primitiveSchema (\p -> draft {primitives = primitives draft |> (block, p)})
-  Just Keyword.Material -> among materialSchema (\m -> draft {materials = materials draft |> (block, m)})
-  Just Keyword.TextureMaterial -> among textureMaterialSchema (\m -> draft {materials = materials draft |> (block, m)})
-  Just Keyword.Model -> notDrawn >> among modelSchema (\m -> draft {models = models draft |> m})
-  Just word | role word == OpensInScene -> maybe draft (\l -> draft {lights = lights draft |> l}) <$> readLight block
+  Just word
+    | Just more <- stocked block (things draft) -> (\stock -> draft {things = stock}) <$> more
+    | role word == OpensInScene -> maybe draft (\l -> draft {lights = lights draft |> l}) <$> readLight block
   _ -> draft <$ passOver Nothing sceneWords block
   where
-    among :: Schema a b -> (b -> Draft) -> Check Draft
-    among schema add = maybe draft add <$> readObject readShape schema block
     -- Of several, the last one that is possible counts.
     alone :: Schema a b -> (Draft -> Maybe (Block, b)) -> ((Block, b) -> Draft) -> Check Draft
     alone schema earlier put =
@@ -92,7 +170,6 @@ object draft block = case headKeyword (blockHead block) of
           for_ (earlier draft) $ \(before, _) ->
             report (headSpan (blockHead block)) (ReplacedObject (headText (blockHead block)) (spanLine (headSpan (blockHead before))))
           pure (put (block, made))
-    notDrawn = report (headSpan (blockHead block)) (NotDrawnYet (headText (blockHead block)))
 
 -- | The pictures that a scene names, where it names them, and what for. The name @none@ stands for none.
 pictureNames :: Tree -> [(Text, FileUse, Span)]
@@ -114,22 +191,34 @@ pictureNames tree =
 sceneWords :: [Keyword]
 sceneWords = filter ((== OpensInScene) . role) [minBound ..]
 
+-- | The words that may open an object of a model's file.
+modelWords :: [Keyword]
+modelWords = [Keyword.Primitive, Keyword.Material, Keyword.TextureMaterial, Keyword.Model]
+
 -- | What can be said when everything has been read.
-finish :: Draft -> Check Scene
+finish :: Draft -> Check (Scene, [Mention])
 finish draft = do
   traverse_ (uncurry checkRaytracer) (raytracer draft)
-  named <- checkMaterials (toList (materials draft))
-  added <- checkMaterialNames named (toList (primitives draft))
+  furniture <- furnished (things draft)
   pure
-    Scene
-      { sceneCamera = maybe defaultCamera snd (camera draft),
-        sceneViewport = maybe defaultViewport snd (viewport draft),
-        sceneRaytracer = maybe defaultRaytracer snd (raytracer draft),
-        sceneModels = toList (models draft),
-        scenePrimitives = map snd (toList (primitives draft)),
-        sceneMaterials = map snd (toList (materials draft)) <> added,
-        sceneLights = toList (lights draft)
-      }
+    ( Scene
+        { sceneCamera = maybe defaultCamera snd (camera draft),
+          sceneViewport = maybe defaultViewport snd (viewport draft),
+          sceneRaytracer = maybe defaultRaytracer snd (raytracer draft),
+          sceneModels = map snd (toList (models (things draft))),
+          scenePrimitives = map snd (toList (primitives (things draft))),
+          sceneMaterials = furniture,
+          sceneLights = toList (lights draft)
+        },
+      map (uncurry mention) (toList (models (things draft)))
+    )
+
+-- | The materials that there are, and those that stand in for missing ones.
+furnished :: Stock -> Check [Material]
+furnished stock = do
+  named <- checkMaterials (toList (materials stock))
+  added <- checkMaterialNames named (toList (primitives stock))
+  pure (map snd (toList (materials stock)) <> added)
 
 checkRaytracer :: Block -> Raytracer -> Check ()
 checkRaytracer block r =

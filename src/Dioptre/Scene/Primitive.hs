@@ -13,6 +13,7 @@ module Dioptre.Scene.Primitive
     Model (..),
     UvFormat (..),
     modelSchema,
+    uvFormatName,
   )
 where
 
@@ -72,4 +73,11 @@ modelSchema =
     (\m -> (modelFile m, opened (modelTransform m), modelUvFormat m))
   where
     opened t = (transformScale t, transformRotation t, transformTranslation t)
-    formats = zip ["default", "origin_uv_top_left", "origin_uv_bottom_left"] [minBound ..]
+    formats = [(uvFormatName u, u) | u <- [minBound ..]]
+
+-- | The word for a format.
+uvFormatName :: UvFormat -> Text
+uvFormatName u = case u of
+  UvDefault -> "default"
+  UvTopLeft -> "origin_uv_top_left"
+  UvBottomLeft -> "origin_uv_bottom_left"

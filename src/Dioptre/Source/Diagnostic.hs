@@ -15,6 +15,7 @@ module Dioptre.Source.Diagnostic
     Severity (..),
     severity,
     code,
+    keptInFull,
 
     -- * What is wrong
     Problem (..),
@@ -29,6 +30,8 @@ module Dioptre.Source.Diagnostic
     -- * Objects
     Flaw (..),
     Fate (..),
+    CurveFlaw (..),
+    FaceFlaw (..),
 
     -- * Files
     FileUse (..),
@@ -83,8 +86,42 @@ data Problem
     RepeatedMaterial Text Int
   | -- | A camera, viewport or raytracer that replaces an earlier one: what, and the earlier one's line.
     ReplacedObject Text Int
-  | -- | Something that is read and kept, but not drawn by this version.
-    NotDrawnYet Text
+  | -- | A model that names no file.
+    NoModelFile
+  | -- | A model whose file, by its name, is in none of the formats that are read.
+    UnknownModelFormat Text
+  | -- | A model that would hold itself: the files that name one another, from the one that is named again up to here.
+    ModelCycle [FilePath]
+  | -- | A model that would make models in models deeper than that.
+    ModelTooDeep Text Int
+  | -- | A model with which there would be more shapes to draw than that, each counted as often as it is seen.
+    TooManyParts Text Integer
+  | -- | A model that states another @uv_format@ than the one that its file has already.
+    DifferingUvFormat Text Text
+  | -- | A curve of three rows of numbers that cannot be drawn, and why.
+    BrokenCurve CurveFlaw
+  | -- | So many pieces of curves lead nowhere, as they end in the point where they start.
+    PiecesWithoutLength Int
+  | -- | A vertex, texture coordinate or normal of an OBJ file that cannot be read: the word of its line (v, vt or vn), and why.
+    BadCoordinates Text Refusal
+  | -- | A face of an OBJ file that cannot be read, and why.
+    BadFace FaceFlaw
+  | -- | A face with a vertex that is not there: its number as written, and how many vertices stand before.
+    MissingVertex Text Int
+  | -- | A face with a texture coordinate or normal that is not there: the word of those (vt or vn), its number as written, and how many stand before.
+    MissingAttribute Text Text Int
+  | -- | Faces that name texture coordinates or normals of which none stands before: the word of those, and how many faces.
+    NoAttributes Text Int
+  | -- | So many triangles of a model have their corners on one line.
+    CollinearTriangles Int
+  | -- | A line of a model with more bytes than that, or that goes on in very many others.
+    LongLine Int
+  | -- | A model that names more material libraries than that.
+    TooManyLibraries Int
+  | -- | A material that the faces of a model name and that none of its libraries has.
+    UnknownMaterialOfModel Text
+  | -- | So many more faults are in the file than are told.
+    MoreFaults Int
   | -- | A file that the scene names and that cannot be used: its name, what it is for, and what is the matter.
     UnusableFile Text FileUse FileTrouble
   | -- | Several rays through the very same point of each pixel.
@@ -122,6 +159,8 @@ data Expectation
     AnOutputName
   | -- | The same, ending in this.
     AnOutputNameEnding Text
+  | -- | Red, green and blue, or one number for all three, from 0 up.
+    AmountsOfLight
   deriving stock (Eq, Show)
 
 -- | The numbers that a property admits, both ends included. They are written as the language writes numbers.
@@ -211,10 +250,32 @@ data Flaw
     TooManyOscillators Int
   deriving stock (Eq, Show)
 
--- | What a file that a scene names is for.
+-- | Why three rows of numbers make no curve.
+data CurveFlaw
+  = -- | So many of the three rows are not there.
+    RowsMissing Int
+  | -- | A row has so many numbers, where the one of x has so many.
+    RowsDiffer Int Int
+  | -- | A number in it cannot be used.
+    RowRefused Refusal
+  deriving stock (Eq, Show)
+
+-- | Why a line is not a face.
+data FaceFlaw
+  = -- | A corner that is none.
+    NotACorner Text
+  | -- | A corner that has other parts than the first one: it, and the first.
+    OtherForm Text Text
+  | -- | A face has at least three corners, this one has so many.
+    TooFewCorners Int
+  deriving stock (Eq, Show)
+
+-- | What a file that a scene or a model names is for.
 data FileUse
   = ForTexture
   | ForMask
+  | ForModel
+  | ForMaterialLibrary
   deriving stock (Eq, Show)
 
 -- | What is the matter with a file.
@@ -232,11 +293,18 @@ severity :: Problem -> Severity
 severity = \case
   NoMaterialName -> Note
   ReplacedObject {} -> Note
-  NotDrawnYet {} -> Note
   MissingMaterial {} -> Warning
   RepeatedMaterial {} -> Warning
   SamplingWithoutRandom {} -> Warning
   DecimalComma {} -> Warning
+  NoModelFile -> Warning
+  DifferingUvFormat {} -> Warning
+  PiecesWithoutLength {} -> Warning
+  CollinearTriangles {} -> Note
+  NoAttributes {} -> Note
+  MissingAttribute {} -> Warning
+  MoreFaults {} -> Warning
+  UnknownMaterialOfModel {} -> Warning
   _ -> Error
 
 -- | The stable name of a kind of problem, for programs.
@@ -260,12 +328,39 @@ code = \case
   MissingMaterial {} -> "missing-material"
   RepeatedMaterial {} -> "repeated-material"
   ReplacedObject {} -> "replaced-object"
-  NotDrawnYet {} -> "not-drawn-yet"
+  NoModelFile -> "no-model-file"
+  UnknownModelFormat {} -> "unknown-model-format"
+  ModelCycle {} -> "model-cycle"
+  ModelTooDeep {} -> "model-too-deep"
+  TooManyParts {} -> "too-many-parts"
+  DifferingUvFormat {} -> "differing-uv-format"
+  BrokenCurve flaw -> case flaw of
+    RowsMissing _ -> "missing-rows"
+    RowsDiffer {} -> "unequal-rows"
+    RowRefused refusal -> refusalCode refusal
+  PiecesWithoutLength {} -> "pieces-without-length"
+  BadCoordinates _ refusal -> refusalCode refusal
+  BadFace flaw -> case flaw of
+    NotACorner _ -> "bad-face"
+    OtherForm {} -> "mixed-face"
+    TooFewCorners _ -> "short-face"
+  MissingVertex {} -> "missing-vertex"
+  MissingAttribute {} -> "missing-attribute"
+  NoAttributes {} -> "no-attributes"
+  CollinearTriangles {} -> "collinear-triangles"
+  LongLine {} -> "long-line"
+  TooManyLibraries {} -> "too-many-libraries"
+  UnknownMaterialOfModel {} -> "unknown-material-of-model"
+  MoreFaults {} -> "more-faults"
   UnusableFile _ _ trouble -> case trouble of
     NoSuchFile _ -> "missing-file"
     SeveralFiles _ -> "several-files"
     Unreadable _ -> "unreadable-file"
   SamplingWithoutRandom {} -> "sampling-without-random"
+
+-- | A file with very many faults has so many told, and the number of the others.
+keptInFull :: Int
+keptInFull = 20
 
 refusalCode :: Refusal -> Text
 refusalCode = \case

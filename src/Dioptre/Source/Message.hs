@@ -73,10 +73,67 @@ message l = \case
     say
       [quoted object, " replaces the one on line ", number n]
       [quoted object, " remplace celui de la ligne ", number n]
-  NotDrawnYet object ->
+  NoModelFile ->
+    say ["this model names no file"] ["ce modèle ne nomme pas de fichier"]
+  UnknownModelFormat name ->
     say
-      [quoted object, " is read, but this version does not draw it yet"]
-      [quoted object, " est lu, mais cette version ne le dessine pas encore"]
+      ["no format of models is known by the ending of ", quoted name]
+      ["aucun format de modèle n'est connu sous l'extension de ", quoted name]
+  ModelCycle files ->
+    say
+      ["this model would hold itself: ", chain files]
+      ["ce modèle se contiendrait lui-même\xA0: ", chain files]
+  ModelTooDeep name n ->
+    say
+      [quoted name, " would make models in models more than ", number n, " deep"]
+      [quoted name, " mettrait des modèles dans des modèles sur plus de ", number n, " niveaux"]
+  TooManyParts name n ->
+    say
+      ["with ", quoted name, " there would be more than ", Text.pack (show n), " shapes to draw"]
+      ["avec ", quoted name, ", il y aurait plus de ", Text.pack (show n), " géométries à dessiner"]
+  DifferingUvFormat name first ->
+    say
+      [quoted name, " has 'uv_format ", first, "' already: that of the first model that names it"]
+      [quoted name, " a déjà 'uv_format ", first, "'\xA0: celui du premier modèle qui le nomme"]
+  BrokenCurve flaw -> brokenCurve l flaw
+  PiecesWithoutLength n ->
+    say
+      [number n, if n == 1 then " piece of a curve ends" else " pieces of curves end", " in the point where it starts; here is the first"]
+      [number n, if n == 1 then " morceau de courbe finit" else " morceaux de courbe finissent", " au point de départ\xA0; voici le premier"]
+  BadCoordinates w refusal -> refused l w refusal
+  BadFace flaw -> badFace l flaw
+  MissingVertex index count ->
+    say
+      ["there is no vertex ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
+      ["il n'y a pas de sommet ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
+  MissingAttribute w index count ->
+    say
+      ["there is no ", attribute w, " ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
+      ["il n'y a pas de ", attribute w, " ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
+  NoAttributes w n ->
+    say
+      [number n, if n == 1 then " face names a " else " faces name a ", attribute w, " where none stands before; here is the first"]
+      [number n, if n == 1 then " face nomme une " else " faces nomment une ", attribute w, " alors qu'aucune ne précède\xA0; voici la première"]
+  CollinearTriangles n ->
+    say
+      [number n, if n == 1 then " triangle has its corners on one line" else " triangles have their corners on one line", "; here is the first"]
+      [number n, if n == 1 then " triangle a ses sommets sur une même droite" else " triangles ont leurs sommets sur une même droite", "\xA0; voici le premier"]
+  LongLine n ->
+    say
+      ["this line has more than ", number n, " bytes, or goes on in very many others"]
+      ["cette ligne a plus de ", number n, " octets, ou continue sur un très grand nombre d'autres"]
+  TooManyLibraries n ->
+    say
+      ["this model names more than ", number n, " material libraries"]
+      ["ce modèle nomme plus de ", number n, " librairies de matériaux"]
+  UnknownMaterialOfModel name ->
+    say
+      ["no material library of this model has ", quoted name]
+      ["aucune librairie de matériaux de ce modèle n'a ", quoted name]
+  MoreFaults n ->
+    say
+      [number n, if n == 1 then " more fault is in this file: this one" else " more faults are in this file, from here on"]
+      [number n, if n == 1 then " autre faute dans ce fichier\xA0: celle-ci" else " autres fautes dans ce fichier, à partir d'ici"]
   UnusableFile name _ trouble -> case trouble of
     NoSuchFile folders ->
       say
@@ -96,7 +153,37 @@ message l = \case
     say en fr = Text.concat (inLanguage l en fr)
     meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> "?")
     folderList = Text.intercalate ", " . map Text.pack
+    chain = Text.intercalate " > " . map Text.pack
     times n = inLanguage l (if n == 1 then "once" else number n <> " times") (number n <> " fois")
+    attribute w = if w == "vt" then inLanguage l "texture coordinate" "coordonnée de texture" else inLanguage l "normal" "normale"
+
+badFace :: Language -> FaceFlaw -> Text
+badFace l = \case
+  NotACorner t -> say [quoted t, " is not a corner of a face"] [quoted t, " n'est pas un sommet de face"]
+  OtherForm t first ->
+    say
+      [quoted t, " has other parts than the first corner, ", quoted first]
+      [quoted t, " n'a pas les mêmes parties que le premier sommet, ", quoted first]
+  TooFewCorners n ->
+    say
+      ["a face with ", number n, if n == 1 then " corner" else " corners"]
+      ["une face à ", number n, if n <= 1 then " sommet" else " sommets"]
+  where
+    say en fr = Text.concat (inLanguage l en fr)
+
+brokenCurve :: Language -> CurveFlaw -> Text
+brokenCurve l = \case
+  RowsMissing n ->
+    say
+      ["a curve has three rows of numbers (x, y, z), of which ", number n, if n == 1 then " is missing" else " are missing"]
+      ["une courbe a trois lignes de nombres (x, y, z), dont il manque ", number n]
+  RowsDiffer found wanted ->
+    say
+      [number found, " numbers, where the row of x has ", number wanted]
+      [number found, " nombres, où la ligne de x en a ", number wanted]
+  RowRefused refusal -> refused l "" refusal
+  where
+    say en fr = Text.concat (inLanguage l en fr)
 
 refused :: Language -> Text -> Refusal -> Text
 refused l w = \case
@@ -171,9 +258,38 @@ expected l = \case
   MissingMaterial {} -> Just (inLanguage l "the name of a material of this scene" "le nom d'un matériel de cette scène")
   RepeatedMaterial {} -> Just (inLanguage l "another name" "un autre nom")
   ReplacedObject {} -> Nothing
-  NotDrawnYet _ -> Nothing
-  UnusableFile {} -> Just (inLanguage l "one picture (png, jpg, gif or tga) of that name" "une seule image (png, jpg, gif ou tga) de ce nom")
+  NoModelFile -> Just (inLanguage l "'file', and the name of an obj, msr or agp file" "'file', et le nom d'un fichier obj, msr ou agp")
+  UnknownModelFormat _ -> Just (inLanguage l "a name that ends in .obj, .msr or .agp" "un nom qui finit par .obj, .msr ou .agp")
+  ModelCycle _ -> Just (inLanguage l "a model that does not lead back to its own file" "un modèle qui ne ramène pas à son propre fichier")
+  ModelTooDeep {} -> Nothing
+  TooManyParts {} -> Nothing
+  DifferingUvFormat {} -> Just (inLanguage l "one 'uv_format' for a file" "un seul 'uv_format' pour un fichier")
+  BrokenCurve _ -> Just (inLanguage l "three lines of equally many real numbers: x, y and z" "trois lignes d'autant de nombres réels\xA0: x, y et z")
+  PiecesWithoutLength _ -> Nothing
+  BadCoordinates w _ -> Just $ case w of
+    "vt" -> inLanguage l "one to three real numbers" "de un à trois nombres réels"
+    _ -> inLanguage l "three real numbers" "trois nombres réels"
+  BadFace flaw -> Just $ case flaw of
+    NotACorner _ -> inLanguage l "i, i/t, i//n or i/t/n: integers, counted from 1, or from -1 backwards" "i, i/t, i//n ou i/t/n\xA0: des entiers, à partir de 1, ou de -1 à rebours"
+    OtherForm {} -> inLanguage l "corners of one form" "des sommets d'une même forme"
+    TooFewCorners _ -> inLanguage l "three corners or more" "trois sommets ou plus"
+  MissingVertex _ count -> Just (indices count)
+  MissingAttribute _ _ count -> Just (indices count)
+  NoAttributes {} -> Nothing
+  CollinearTriangles _ -> Nothing
+  LongLine _ -> Nothing
+  TooManyLibraries _ -> Nothing
+  UnknownMaterialOfModel _ -> Just (inLanguage l "the name of a 'newmtl' in a library that 'mtllib' names" "le nom d'un 'newmtl' dans une librairie que 'mtllib' nomme")
+  MoreFaults _ -> Nothing
+  UnusableFile _ use _ -> Just $ case use of
+    ForModel -> inLanguage l "one obj, msr or agp file of that name" "un seul fichier obj, msr ou agp de ce nom"
+    ForMaterialLibrary -> inLanguage l "one mtl file of that name" "un seul fichier mtl de ce nom"
+    _ -> inLanguage l "one picture (png, jpg, gif or tga) of that name" "une seule image (png, jpg, gif ou tga) de ce nom"
   SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
+  where
+    indices count
+      | count == 0 = inLanguage l "its line before the faces that use it" "sa ligne avant les faces qui l'utilisent"
+      | otherwise = inLanguage l ("1 to " <> number count <> ", or -1 to -" <> number count) ("1 à " <> number count <> ", ou -1 à -" <> number count)
 
 flawExpected :: Language -> Flaw -> Maybe Text
 flawExpected l = \case
@@ -216,12 +332,39 @@ used l = \case
   MissingMaterial {} -> say "a grey material" "un matériel gris"
   RepeatedMaterial {} -> say "the first one" "le premier"
   ReplacedObject {} -> Nothing
-  NotDrawnYet _ -> Nothing
+  NoModelFile -> say "nothing: there is nothing to draw" "rien\xA0: il n'y a rien à dessiner"
+  UnknownModelFormat _ -> modelLeftOut
+  ModelCycle _ -> modelLeftOut
+  ModelTooDeep {} -> modelLeftOut
+  TooManyParts {} -> modelLeftOut
+  DifferingUvFormat _ first -> Just first
+  BrokenCurve _ -> say "nothing: the curve is left out" "rien\xA0: la courbe est omise"
+  PiecesWithoutLength _ -> say "nothing: they are left out" "rien\xA0: ils sont omis"
+  BadCoordinates w _ -> case w of
+    "v" -> say "nothing: the faces that use this vertex are left out" "rien\xA0: les faces qui utilisent ce sommet sont omises"
+    "vt" -> Just "0.0 0.0"
+    _ -> say "the normal of the flat triangle" "la normale du triangle plat"
+  BadFace _ -> faceLeftOut
+  MissingVertex {} -> faceLeftOut
+  MissingAttribute w _ _ -> without w
+  NoAttributes w _ -> without w
+  CollinearTriangles _ -> say "nothing: they are left out" "rien\xA0: ils sont omis"
+  LongLine _ -> say "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
+  TooManyLibraries _ -> say "the ones before" "les précédentes"
+  UnknownMaterialOfModel _ -> say "a green material" "un matériel vert"
+  MoreFaults _ -> Nothing
   UnusableFile _ ForTexture _ -> say "the plain colour" "la couleur unie"
   UnusableFile _ ForMask _ -> say "an aperture that is open everywhere" "une ouverture entièrement ouverte"
+  UnusableFile _ ForModel _ -> modelLeftOut
+  UnusableFile _ ForMaterialLibrary _ -> say "materials that stand in for those that are not found" "des matériaux de remplacement pour ceux qui manquent"
   SamplingWithoutRandom _ -> Nothing
   where
     say en fr = Just (inLanguage l en fr)
+    without w
+      | w == "vt" = say "no texture coordinates for the face" "aucune coordonnée de texture pour la face"
+      | otherwise = say "the normals of the flat triangles" "les normales des triangles plats"
+    faceLeftOut = say "nothing: the face is left out" "rien\xA0: la face est omise"
+    modelLeftOut = say "nothing: the model is left out" "rien\xA0: le modèle est omis"
     passedOver = \case
       TheLine -> inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
       TheObject n -> inLanguage l ("nothing: all is passed over down to line " <> number n) ("rien\xA0: tout est ignoré jusqu'à la ligne " <> number n)
@@ -242,6 +385,7 @@ expectation l = \case
   AChoice words' -> oneOf l words' <> inLanguage l (" (or 0 to " <> most words' <> ")") (" (ou 0 à " <> most words' <> ")")
   SomeText -> inLanguage l "some text, up to the end of the line" "du texte, jusqu'à la fin de la ligne"
   AnOutputName -> inLanguage l "the name of a file, without a folder" "le nom d'un fichier, sans dossier"
+  AmountsOfLight -> inLanguage l "red, green and blue from 0 up, or one number for all three" "rouge, vert et bleu à partir de 0, ou un seul nombre pour les trois"
   AnOutputNameEnding e -> inLanguage l ("the name of a file that ends in " <> e) ("le nom d'un fichier qui finit par " <> e)
   where
     most words' = number (length words' - 1)

@@ -13,7 +13,9 @@ module Dioptre.Source.Text
     sourceName,
     sourceText,
     decode,
+    characters,
     fromText,
+    excerpts,
     lineAt,
   )
 where
@@ -21,6 +23,8 @@ where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Either (fromRight)
+import Data.IntMap.Strict (IntMap)
+import qualified Data.IntMap.Strict as IntMap
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -34,8 +38,12 @@ data Source = Source
     sourceName :: FilePath,
     -- | The text; lines are separated by @\\n@, and there is no @\\r@.
     sourceText :: Text,
-    sourceLines :: Vector Text
+    sourceLines :: Lines
   }
+  deriving stock (Eq, Show)
+
+-- | All lines, or some by their numbers.
+data Lines = Whole (Vector Text) | Some (IntMap Text)
   deriving stock (Eq, Show)
 
 -- | The text of a file's bytes. Total, linear.
@@ -45,18 +53,28 @@ data Source = Source
 -- >>> sourceText (decode "scene.txt" "lumi\xE8re")
 -- "lumi\232re"
 decode :: FilePath -> ByteString -> Source
-decode name bytes = fromText name (fromRight latin1 utf8)
+decode name bytes = fromText name (characters (dropMark bytes))
   where
-    utf8 = Text.decodeUtf8' (dropMark bytes)
-    latin1 = Text.decodeLatin1 (dropMark bytes)
     dropMark b = fromMaybe b (Bytes.stripPrefix "\xEF\xBB\xBF" b)
+
+-- | The characters of some bytes: UTF-8 if they can be, or else Latin-1.
+characters :: ByteString -> Text
+characters bytes = fromRight (Text.decodeLatin1 bytes) (Text.decodeUtf8' bytes)
 
 -- | A source of text that is at hand already.
 fromText :: FilePath -> Text -> Source
-fromText name raw = Source name text (Vector.fromList (Text.split (== '\n') text))
+fromText name raw = Source name text (Whole (Vector.fromList (Text.split (== '\n') text)))
   where
     text = Text.replace "\r" "\n" (Text.replace "\r\n" "\n" raw)
 
+-- | A source that knows some of its lines, by their numbers: of a file that is too large to keep, those that messages show. Its text is those lines.
+excerpts :: FilePath -> [(Int, Text)] -> Source
+excerpts name lines' = Source name (Text.intercalate "\n" (IntMap.elems known)) (Some known)
+  where
+    known = IntMap.fromList lines'
+
 -- | The line of that number, counted from 1; empty where there is none.
 lineAt :: Source -> Int -> Text
-lineAt source n = fromMaybe Text.empty (sourceLines source !? (n - 1))
+lineAt source n = fromMaybe Text.empty $ case sourceLines source of
+  Whole all' -> all' !? (n - 1)
+  Some known -> IntMap.lookup n known

@@ -1,0 +1,157 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
+
+-- |
+-- Module      : Dioptre.Command.Load.Shelf
+-- Description : Files that have been loaded already
+--
+-- A scene may name a picture or a model a thousand times, in many spellings, and its models may name it as well. Each file is read once: what came of it stays on a
+-- shelf, under the file's own path.
+module Dioptre.Command.Load.Shelf
+  ( -- * The shelf
+    Shelf (..),
+    emptyShelf,
+    Loading,
+    once,
+
+    -- * What stands on it
+    Shelved (..),
+
+    -- * Finding files
+    Found (..),
+    findFile,
+
+    -- * Pictures
+    loadPictures,
+  )
+where
+
+import Control.Exception (SomeAsyncException (..), SomeException, evaluate, fromException, tryJust)
+import Control.Monad (forM)
+import Control.Monad.IO.Class (liftIO)
+import Control.Monad.Trans.State.Strict (StateT, gets, modify')
+import Data.Bifunctor (first)
+import Data.Containers.ListUtils (nubOrd)
+import Data.Foldable (toList)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Sequence (Seq)
+import qualified Data.Sequence as Seq
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Dioptre.Command.Load.Amount (ModelRead)
+import Dioptre.Command.Wording (fileFault)
+import Dioptre.Files.Search (Place (..), SearchFault (..), search)
+import Dioptre.Files.Whole (readWhole)
+import Dioptre.Model.Content (Content)
+import Dioptre.Model.Library (Instance)
+import Dioptre.Model.Mtl (Mtl)
+import Dioptre.Picture (Picture)
+import Dioptre.Picture.Png (decodeTexture)
+import Dioptre.Render.Texture (Texture)
+import Dioptre.Scene.Primitive (UvFormat)
+import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble (..), FileUse, Problem (UnusableFile))
+import Dioptre.Source.Language (Language)
+import Dioptre.Source.Span (Span)
+import Dioptre.Source.Text (Source)
+import System.Directory (canonicalizePath)
+import System.FilePath ((</>))
+
+-- | What has been loaded so far. Files are known by their canonical paths.
+data Shelf = Shelf
+  { -- | What was found for a name in a folder.
+    shelfFound :: Map (FilePath, Text) (Either FileTrouble Found),
+    -- | The pictures.
+    shelfPictures :: Map FilePath (Either FileTrouble Picture),
+    -- | The material libraries.
+    shelfMaterials :: Map FilePath (Either FileTrouble (Mtl Picture)),
+    -- | What is in the library.
+    shelfModels :: Map FilePath (Either FileTrouble Shelved),
+    -- | The models, by their numbers.
+    shelfLibrary :: Seq (Content Instance Texture),
+    -- | The models' files, as their reading ends.
+    shelfRead :: Seq ModelRead,
+    -- | What is wrong with models and their materials, by files, as their reading ends; each in its order, and none is empty.
+    shelfFaults :: Seq (Source, [Diagnostic])
+  }
+
+-- | Nothing has been loaded.
+emptyShelf :: Shelf
+emptyShelf = Shelf Map.empty Map.empty Map.empty Map.empty Seq.empty Seq.empty Seq.empty
+
+-- | Work that loads files.
+type Loading = StateT Shelf IO
+
+-- | A model in the library.
+data Shelved = Shelved
+  { -- | Its number there.
+    shelvedNumber :: !Int,
+    -- | Its shapes and triangles, those of the models in it counted as often as they are there.
+    shelvedSize :: !Integer,
+    -- | 1 for a model without others in it, otherwise one more than the highest of those.
+    shelvedHeight :: !Int,
+    -- | As the first model that named the file stated it.
+    shelvedUvFormat :: !UvFormat,
+    -- | Whether that matters.
+    shelvedHasPictures :: !Bool
+  }
+
+-- | What stands on a part of the shelf under a key; or else, from now on, what some work makes for it.
+once :: Ord k => (Shelf -> Map k v) -> (Map k v -> Shelf -> Shelf) -> k -> Loading v -> Loading v
+once part put key work =
+  gets (Map.lookup key . part) >>= maybe make pure
+  where
+    make = do
+      v <- work
+      modify' (\shelf -> put (Map.insert key v (part shelf)) shelf)
+      pure v
+
+-- | A file that was looked for.
+data Found = Found
+  { -- | As one calls it from the working directory.
+    foundPath :: FilePath,
+    -- | Without links: the same for every way to the file.
+    foundFile :: FilePath
+  }
+  deriving stock (Eq, Show)
+
+-- | The file that a name means in a file of a folder.
+findFile :: FilePath -> Text -> Loading (Either FileTrouble Found)
+findFile folder name =
+  once shelfFound (\m shelf -> shelf {shelfFound = m}) (folder, name) . liftIO $
+    search "." folder name >>= either (pure . Left . trouble) (\path -> Right . Found path <$> canonicalizePath path)
+  where
+    trouble fault = case fault of
+      NoName _ -> NoSuchFile []
+      NotFound _ places -> NoSuchFile (map folderOf (toList places))
+      SeveralFound _ paths -> SeveralFiles (toList paths)
+    folderOf place = case place of
+      Within f -> f
+      Below f -> f </> "..."
+
+-- | The pictures that a file in a folder names; and what is wrong with each place that names one.
+loadPictures :: Language -> FilePath -> [(Text, FileUse, Span)] -> Loading (Map Text Picture, [Diagnostic])
+loadPictures l folder wanted = do
+  loaded <- fmap Map.fromList . forM (nubOrd [name | (name, _, _) <- wanted]) $ \name ->
+    (,) name <$> (findFile folder name >>= either (pure . Left) (loadTexture l))
+  pure
+    ( Map.mapMaybe (either (const Nothing) Just) loaded,
+      [ Diagnostic place (UnusableFile name use trouble)
+        | (name, use, place) <- wanted,
+          Just (Left trouble) <- [Map.lookup name loaded]
+      ]
+    )
+
+-- | The picture in a file.
+loadTexture :: Language -> Found -> Loading (Either FileTrouble Picture)
+loadTexture l (Found path file) =
+  once shelfPictures (\m shelf -> shelf {shelfPictures = m}) file . liftIO $
+    readWhole path >>= \case
+      Left fault -> pure (Left (Unreadable (fileFault l fault)))
+      -- The decoder is not ours: what it throws on a broken file is its complaint.
+      Right bytes -> either (Left . Unreadable) (first Unreadable) <$> tryJust thrown (evaluate (decodeTexture path bytes) >>= traverse evaluate)
+  where
+    thrown :: SomeException -> Maybe Text
+    thrown e = case fromException e of
+      Just (SomeAsyncException _) -> Nothing
+      Nothing -> Just (Text.pack (takeWhile (/= '\n') (show e)))
