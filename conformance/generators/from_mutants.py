@@ -1,0 +1,205 @@
+"""Cases that mutants asked for: small changes of the reference that no other case noticed (conformance/mutants, mutants.md).
+
+Each adds to the cases of its operation, behind those of the other generators. Expected values come from the same sources as theirs: whole numbers and fractions for roots,
+the shapes of `solids` and the pixels of `light_pixels` in decimals.
+"""
+
+import sys
+
+sys.dont_write_bytecode = True
+
+from fractions import Fraction  # noqa: E402
+
+import language  # noqa: E402
+import light_pixels  # noqa: E402
+import roots_maths  # noqa: E402
+import solids  # noqa: E402
+from camera_rays import uniform  # noqa: E402
+from light_pixels import AMBIENT, NOON, PLANE, SUN, scene  # noqa: E402
+from suite import CLOSED, DECIMAL, EXACT, HAND, case, main, nearest, next_up  # noqa: E402
+
+LAST = True  # behind the other generators
+
+
+# Roots
+
+
+def close(rules, comment, flags, coefficients, compare):
+    """Roots that are closer than the other generators take them, and still farther than 2^-24 of their size."""
+    roots = roots_maths.real_roots(coefficients)
+    different = sorted(set(roots))
+    if any(b - a <= Fraction(1, 2**24) * max(abs(a), abs(b)) for a, b in zip(different, different[1:])):
+        raise ValueError(f"{comment}: too close")
+    return case(rules, comment, flags, roots_maths.sent(*map(float, coefficients)), [nearest(x) for x in roots], compare, EXACT)
+
+
+def product(p, q):
+    made = [Fraction(0)] * (len(p) + len(q) - 1)
+    for i, a in enumerate(p):
+        for j, b in enumerate(q):
+            made[i + j] += Fraction(a) * Fraction(b)
+    if any(Fraction(float(c)) != c for c in made):
+        raise ValueError(f"{made} are not binary64 numbers")
+    return made
+
+
+def stretched(p, k):
+    """The polynomial whose roots are 2^k times as large."""
+    return [c * Fraction(2) ** (k * i) for i, c in enumerate(p)]
+
+
+def quartics():
+    made = []
+    # (x - 3)^2 = +-e: the roots, real or complex, are 2 sqrt e apart.
+    e = Fraction(1, 2**45)
+    for k, sizes in ((0, "sizes around 1"), (100, "sizes around 2^100"), (-100, "sizes around 2^-100")):
+        two, none = (stretched(product([1, -6, 9 - s * e], [1, 0, 1]), k) for s in (1, -1))
+        mirrored = [c * (-1) ** i for i, c in enumerate(two)]
+        made += [
+            close("roots.quartic.count roots.multiple", f"Two roots that are 2^-23.1 of their size apart are two; {sizes}.", "epsilon merged", two, "rel:1e-9"),
+            close("roots.quartic.count roots.multiple", f"The same with the other sign; {sizes}.", "epsilon merged sign", mirrored, "rel:1e-9"),
+            close("roots.quartic.count roots.multiple", f"Complex roots that are 2^-23.1 of their size apart are no real ones; {sizes}.", "epsilon merged", none, "exact"),
+        ]
+    # (x^2 - 2 s^2)^2: the double roots are no binary64 numbers, and the sizes of the coefficients are far apart.
+    for k in (60, -60):
+        for square in (2, 3):
+            p = stretched([1, 0, -2 * square, 0, square * square], k)
+            made.append(close("roots.multiple roots.scale", f"Irrational double roots, of the size of 2^{k}: the square roots of {square}, twice each.", "double-root overflow", p, "rel:1e-10"))
+    return made
+
+
+# Surfaces
+
+
+def far_cones():
+    """A cone of the size of 2^k, met at right angles to its axis, where it is as wide as its distance from the apex."""
+    made = []
+    for k in (300, -300):
+        size = 2.0**k
+        ray = {"origin": [-2 * size, 0, 0], "direction": [size, 0, 0]}
+        made.append(case("geometry.cones.parameters", f"A cone of the size of 2^{k}", "overflow missing-normalisation", {"ray": ray, "point": [0, 0, 0], "apex": [0, 0, size], "radius": size}, [1, 3], "ulp:4", CLOSED))
+    return made
+
+
+def hit(rules, comment, flags, shape, o, d, compare):
+    made = solids.rounded(solids.hit(shape, {"origin": o, "direction": d}))
+    return case(rules, comment, flags, {"geometry": shape, "ray": {"origin": o, "direction": d}}, made, "exact" if made is None else compare, DECIMAL)
+
+
+def hits():
+    loose = {"t": "abs:1e-8", "point": "abs:1e-8", "normal": "abs:1e-8", "uv": "abs:1e-8"}
+    cap = {"kind": "spherical_cap", "ray": 3, "curvature": 5}
+    cup = {"kind": "spherical_cap", "ray": 3, "curvature": -5}
+    made = []
+    for shape, what in ((cap, "a bulging cap"), (cup, "a hollow cap")):
+        for o in ([480000.5, -620000.25, 620000.75], [700000.3, 300000.7, -648000.1]):
+            toward = [0.5, -1, 0.25 if shape is cap else -0.25]
+            d = [float(f"{(b - a) / 1e6:.9f}") for a, b in zip(o, toward)]
+            made.append(hit("geometry.cap.parameters geometry.hit.first", f"From 1e6 away, slanting, onto {what}", "far-origin cancellation", shape, o, d, loose))
+    lens = {"kind": "lens", "point": [[0, 0, 0], [0, 0, 2]], "ray": 3, "curvature": [5, 5]}
+    # The rim is at x = 3, z = 2. Outside of the body by 2^-40, the line keeps its distance from the rim; the overlap is some 2^-47.
+    gap = 2.0**-40
+    for o, d, where in (([2, 0, 3 + gap], [1, 0, -1], "upper"), ([2, 0, -1 - gap], [1, 0, 1], "lower")):
+        made.append(case("geometry.lens.rim geometry.hit.none", f"Past the {where} rim, 2^-40 away from it", "epsilon rim", {"geometry": lens, "ray": {"origin": o, "direction": d}}, None, "exact", HAND))
+    # Lines that touch the first rim at (R, 0, 0), by no more than the rounding of the numbers: they meet it, whatever part of it is told.
+    for radius, long, curvature, o, slope, t in (
+        (2.1, 3.91, [6.12, 4.33], [-1.2999999999999998, 0, -3.4], 1, 3.4),
+        (2.14, 0.32, [6.32, 2.34], [1.77, 0, -0.9731], 2.63, 0.37),
+        (2.53, 0.61, [6.27, 7.34], [1.8399999999999999, 0, -1.7181], 2.49, 0.69),
+    ):
+        inside = Fraction(o[2]) + (Fraction(radius) - Fraction(o[0])) * Fraction(slope)
+        if not 0 <= inside < Fraction(1, 2**50):
+            raise ValueError("the line does not touch the rim")
+        expected = {"t": t, "point": [radius, 0, 0], "normal": [1, 0, 0], "uv": [0.5, 1]}
+        sent = {"geometry": {"kind": "lens", "point": [[0, 0, 0], [0, 0, long]], "ray": radius, "curvature": curvature}, "ray": {"origin": o, "direction": [1, 0, slope]}}
+        made.append(case("geometry.lens.rim", "A line that touches the rim does not slip between face and side", "epsilon rim", sent, expected, {"t": "abs:1e-13", "point": "abs:1e-13", "normal": "abs:2", "uv": "abs:1"}, HAND))
+    return made
+
+
+# Texts
+
+
+def checks():
+    def triangle(height):
+        return f"triangle\npoint 0 0 0\npoint 1 0 0\npoint 1 {language.real(height)} 0\nend\n"
+
+    text = "primitive\nmaterial_name none\n«collinear-points»" + triangle(2.0**-50) + triangle(next_up(2.0**-50)) + "end\nmaterial\nend\n"
+    made = [language.check("code.collinear-points numbers.tolerances", "A sine of 2^-50 is on one line, the next number is not.", "epsilon strict-comparison", text)]
+    # The cross product of the edges underflows.
+    small = 1e-200
+    for points, up in (([[0, 0, 0], [small, 0, 0], [0, small, 0]], 1.0), ([[0, 0, 0], [0, small, 0], [small, 0, 0]], -1.0)):
+        corners = "".join(f"    point {' '.join(map(language.real, point))}\n" for point in points)
+        text = f"primitive\n  material_name none\n  btriangle\n{corners}  end\nend\nmaterial\nend\n"
+        written = language.canonical(primitives=[("none", ("btriangle", {"point": points, "normal": [[0, 0, up]] * 3}))], materials=[{}])
+        made.append(language.check("shape.btriangle.normals", f"The flat normal of a triangle of the size of 1e-200, {'upwards' if up > 0 else 'downwards'}.", "underflow sign", text, written))
+    return made
+
+
+# Pixels
+
+
+def pixel(rules, comment, flags, given, expected=None):
+    light_pixels.one(rules, comment, flags, given, expected)
+    return light_pixels.CASES.pop()
+
+
+def among_many(given):
+    """The same scene with twelve small spheres that no ray of it comes near: more than are worth trying one after the other."""
+    far = [("m", {"kind": "sphere", "position": [20 + i, 15, 40], "ray": 0.25}) for i in range(12)]
+    return {**given, "shapes": far[:6] + given["shapes"] + far[6:]}
+
+
+def many():
+    def one(rules, comment, flags, given, expected=None):
+        return pixel("geometry.hit.index " + rules, comment + ", among many shapes", flags + " index", among_many(given), expected)
+
+    paint = {"color": [0.5, 0.25, 1], "ka": 0, "kd": 1, "ks": 0}
+    wall = ("m", PLANE)
+    ball = {"kind": "sphere", "position": [-1.5, 0, 1], "ray": 0.5}
+    second = {"kind": "sphere", "position": [-3, 0, -1], "ray": 0.5}
+    glass, other = {"color": [1, 0.5, 0.25], "kt": 0.75, "ks": 0}, {"color": [0.5, 1, 0.5], "kt": 0.5, "ks": 0}
+    dark, inert = [0, 0, 0], {"ka": 0, "kd": 0, "ks": 0}
+    made = [
+        one("light.source.directional", "Lit", "shadow", scene([wall], {"m": paint}, [SUN])),
+        one("light.shadow.opaque", "In the shadow of a sphere", "shadow", scene([wall, ("m", ball)], {"m": paint}, [SUN]), dark),
+        one("light.shadow.opaque", "In the shadow of a sphere that stands first", "shadow", scene([("m", ball), wall], {"m": paint}, [SUN]), dark),
+        one("light.shadow.beyond", "The sphere is beyond the lamp", "shadow bound", scene([wall, ("m", second)], {"m": paint}, [("point_light", {"position": [-1.5, 0, 1]})])),
+        one("light.shadow.opaque", "The sphere is between the lamp and the wall", "shadow bound", scene([wall, ("m", ball)], {"m": paint}, [("point_light", {"position": [-3, 0, -1]})]), dark),
+        one("light.shadow.transparent", "Through a coloured glass", "shadow tint", scene([wall, ("g", ball)], {"m": paint, "g": glass}, [SUN])),
+        one("light.shadow.product", "Through two coloured glasses", "shadow tint", scene([wall, ("g", ball), ("h", second)], {"m": paint, "g": glass, "h": other}, [SUN])),
+        one("light.shadow.opaque-among", "Through a coloured glass, and something opaque", "shadow tint", scene([("g", ball), ("m", second), wall], {"m": paint, "g": glass}, [SUN]), dark),
+        one("light.shadow.opaque-among", "The same, the opaque one first", "shadow tint", scene([("m", second), ("g", ball), wall], {"m": paint, "g": glass}, [SUN]), dark),
+        one("optics.mirror", "A mirror shows a sphere behind the camera", "mirror", scene([wall, ("p", {"kind": "sphere", "position": [0, 0, -4], "ray": 1})], {"m": {**inert, "kr": 0.5}, "p": {**paint, "ka": 1}}, [AMBIENT], raytracer={"recursive_level": 2})),
+    ]
+    # Two disks in one place: the first one is seen.
+    disk = {"kind": "disk", "position": [0, 0, 3], "ray": 2}
+    for names in (["m", "n"], ["n", "m"]):
+        made.append(one("geometry.hit.tie", f"Two disks in one place, {'the other' if names[0] == 'n' else 'one'} of them first", "tie", scene([(name, disk) for name in names], {"m": paint, "n": {**paint, "color": [1, 0.5, 0.25]}}, [NOON])))
+    # From inside a glass cube, 45 degrees from the normal of its face.
+    cube = {"kind": "cube", "position": [0, 0, 0], "size": 6}
+    inside = {"position": [1, 0, 0], "look_at": [2, 0, 1], "near_clipping_plane": 0.5}
+    for index, seen in ((1.5, "all is reflected"), (1.25, "the light passes")):
+        body = {**inert, "color": [1, 1, 1], "kt": 1, "refractive_index": index}
+        given = scene([("g", cube), ("p", {"kind": "plane", "position": [9, 0, 0], "normal": [1, 0, 0]})], {"g": body, "p": {**paint, "ka": 1}, "m": inert}, [AMBIENT], camera=inside, raytracer={"recursive_level": 2})
+        made.append(one("optics.medium.start optics.medium.at", f"From inside a body of index {index}: {seen}", "medium", given))
+    return made
+
+
+def flat_random():
+    """Without light, a random point of each pixel: column and row of it are two numbers, not one. A cube fills the half of the picture above the middle."""
+    made = []
+    for above in (True, False):
+        seed = next(s for s in range(1000) if (uniform(s, 0) > 0.75 and uniform(s, 1) < 0.25 if above else uniform(s, 0) < 0.25 and uniform(s, 1) > 0.75))
+        text = (f"viewport\n  width 1\n  height 1\nend\nraytracer\n  reflexion_algorithm no_light\n  pixel_coordinate random\n  seed {seed}\nend\n"
+                "primitive\n  material_name m\n  cube\n    position 0 20 30\n    size 40\n  end\nend\nmaterial\n  name m\n  color 0.5 0.25 1\n  kd 1\nend\n")
+        ok = [128, 64, 255, 255] if above else [0, 0, 0, 255]
+        made.append(case("camera.random light.algorithm.no-light", f"Without light, the random point of a pixel is {'above' if above else 'below'} the middle.", "random swapped-index", {"text": text, "column": 0, "row": 0}, ok, source=HAND))
+    return made
+
+
+def operations():
+    return {"roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits(), "scene.check": checks(), "scene.pixel": many() + flat_random()}
+
+
+if __name__ == "__main__":
+    main(sys.modules[__name__])
