@@ -5,6 +5,7 @@ module Dioptre.RenderSpec (spec) where
 
 import Data.Text (Text)
 import qualified Data.Vector.Storable as Storable
+import Dioptre.Model.Library (noModels)
 import Dioptre.Picture (pictureBytes, pictureHeight, pictureWidth)
 import Dioptre.Render (rendered)
 import Dioptre.Render.Row (plan)
@@ -54,7 +55,7 @@ seen shape
   | (pictureWidth p, pictureHeight p) == (64, 48) = [Storable.toList (Storable.slice (4 * i) 4 (pictureBytes p)) == [255, 0, 0, 255] | i <- [0 .. 64 * 48 - 1]]
   | otherwise = []
   where
-    p = rendered (plan mempty (fst (checkScene (parse (fromText "scene" text)))))
+    p = rendered (plan mempty noModels (fst (checkScene (parse (fromText "scene" text)))))
     text =
       foldMap (<> "\n") $
         ["camera", "position 0 0 0", "look_at 1 0 0", "up 0 0 1", "angle 90", "near_clipping_plane 1", "far_clipping_plane 10.5", "end"]

@@ -66,6 +66,14 @@ spec = do
       (code, out, _) <- heard (render' plainOptions {optionStrict = True})
       (code, out) `shouldBe` (ExitFailure 1, "")
       listDirectory "." >>= (`shouldBe` ["s.txt"])
+    it "draws nothing under --strict where a model has faults, and all the same without" . inFolder $ do
+      Text.writeFile "s.txt" (sphereScene <> "model\nfile a.msr\nend\n")
+      Text.writeFile "a.msr" "camera\nend\n"
+      (code, out, err) <- heard (render' plainOptions {optionStrict = True})
+      (code, out) `shouldBe` (ExitFailure 1, "")
+      err `shouldContainText` "a.msr:1:1: error: 'camera' cannot stand here"
+      (code', out', _) <- heard (render' plainOptions)
+      (code', out') `shouldBe` (ExitSuccess, "ball_000.png\n")
     it "exits with 3 where the scene or the folder of the picture is not there" . inFolder $ do
       (code, out, err) <- heard (render' plainOptions)
       (code, out) `shouldBe` (ExitFailure 3, "")
@@ -108,6 +116,20 @@ spec = do
       (code, out, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
       code `shouldBe` ExitFailure 1
       out `shouldContainText` "s.txt:3:12: error: no file is called 'no.png'"
+    it "tells what is wrong with models under the names of their files" . inFolder $ do
+      Text.writeFile "s.txt" "model\nfile a.obj\nend\n"
+      Text.writeFile "a.obj" "v 0 0 0\nv 1 O 0\n"
+      (code, out, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
+      code `shouldBe` ExitFailure 1
+      out `shouldContainText` "s.txt: no faults\na.obj:2:5: error: 'O' is not a number"
+      (code', out', _) <- heard (journal' (\j -> check j AsJson ["s.txt"]))
+      code' `shouldBe` ExitFailure 1
+      case decode (Lazy.fromStrict (Text.encodeUtf8 out')) of
+        Just (Object o)
+          | Just (Array ds) <- Keys.lookup "diagnostics" o,
+            [Object d] <- toList ds ->
+            [Keys.lookup k d | k <- ["file", "line", "column"]] `shouldBe` map Just [String "a.obj", Number 2, Number 5]
+        other -> fail (show other)
   describe "compare" $
     it "tells size, number, largest difference and first place" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
@@ -143,6 +165,16 @@ spec = do
       forM_ ["reading scene 's.txt'", "1 primitive", "320 rays", "ball_041.png"] (log' `shouldContainText`)
       (code', out', _) <- heard (journal' (\j -> compare j "out.txt" "scenes/s.txt"))
       (code', out') `shouldBe` (ExitSuccess, "20 x 16 pixels, equal\n")
+    it "logs the models that it reads" . inFolder $ do
+      Text.writeFile "s.txt" (sphereScene <> "model\nfile a.msr\nend\nmodel\nfile b.obj\nend\nmodel\nfile c.agp\nend\n")
+      Text.writeFile "a.msr" "material\nname a\nend\nprimitive\nmaterial_name a\nsphere\nend\nend\n"
+      Text.writeFile "b.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+      Text.writeFile "c.agp" "0 1 2\n0 0 0\n0 0 0\n"
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\n"
+      (code, _, _) <- heard runHere
+      code `shouldBe` ExitSuccess
+      log' <- Text.readFile "log.txt"
+      forM_ ["model 'a.msr' read: 1 primitive", "model 'b.obj' read: 1 triangle, 0 quads, 0 other polygons", "model 'c.agp' read: 2 tubes"] (log' `shouldContainText`)
     it "says where it looked for a scene that is not there" . inFolder $ do
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\n"
       (code, _, err) <- heard runHere

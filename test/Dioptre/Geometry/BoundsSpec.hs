@@ -5,7 +5,13 @@ module Dioptre.Geometry.BoundsSpec (spec) where
 
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Bounds
+import Dioptre.Geometry.Cube (cube)
+import Dioptre.Geometry.Disk (annulus)
+import Dioptre.Geometry.Plane (plane)
 import Dioptre.Geometry.Ray (Ray, ray)
+import Dioptre.Geometry.Shape (Shape (..))
+import Dioptre.Geometry.Sphere (sphere)
+import Dioptre.Math.Transform (transform)
 import Dioptre.Math.Vector (Point, alongZ)
 import Laws.Bounds
 import Linear.V3 (V3 (..))
@@ -28,14 +34,26 @@ spec = do
     it "holds the bottom of a cap" $ ofCap 0 alongZ 1 (-2) `shouldSatisfy` fits (V3 (-1) (-1) (sqrt 3 - 2)) (V3 1 1 0)
     it "holds the bulges of a lens, and not what is hollow" $ ofLens 0 (V3 0 0 1) 1 (1, -2) `shouldSatisfy` fits (V3 (-1) (-1) (-1)) (V3 1 1 1)
 
-  describe "entry" $ do
-    it "is where the ray comes in" $ entryOf (ray (V3 (-3) 0 0) (V3 2 0 0)) `shouldSatisfy` (\t -> t <= 1 && t > 1 - 1e-14)
-    it "is 0 inside" $ entryOf (ray 0 (V3 1 2 3)) `shouldBe` 0
-    it "is infinite beside" $ entryOf (ray (V3 (-3) 1.5 0) (V3 1 0 0)) `shouldBe` 1 / 0
-    it "is infinite behind" $ entryOf (ray (V3 3 0 0) (V3 1 0 0)) `shouldBe` 1 / 0
-    it "is infinite beyond the bound" $ entry (approach (ray (V3 (-3) 0 0) (V3 1 0 0))) unitBox 1.5 `shouldBe` 1 / 0
-    it "takes a ray that runs in a face" $ entryOf (ray (V3 (-3) 1 0) (V3 1 0 0)) `shouldSatisfy` (not . isInfinite)
-    it "takes a ray that runs in an edge, whatever the sign of zero" $ entryOf (ray (V3 (-3) 1 (-1)) (V3 1 0 (-0.0))) `shouldSatisfy` (not . isInfinite)
+  describe "ofShape" $ do
+    it "is that of the sphere, where it stands" $ fmap ofShape (ASphere <$> sphere (V3 1 2 3) 2) `shouldBe` Just (Just (ofSphere (V3 1 2 3) 2))
+    it "is half the size to each side of a cube's centre" $ (ACube <$> cube (V3 1 2 3) 4) `shouldSatisfy` boxed (V3 (-1) 0 1) (V3 3 4 5)
+    it "reaches to the outer rim of an annulus" $ (plane 0 (V3 0 0 5) >>= \p -> AnAnnulus <$> annulus p 1 2) `shouldSatisfy` boxed (V3 (-2) (-2) 0) (V3 2 2 0)
+    it "turns with a transformed shape" $
+      -- A cube of size 2, twice as long, a quarter turn about z, and 10 along x
+      (ATransformed <$> transform (V3 2 1 1) (V3 0 0 90) (V3 10 0 0) <*> (ACube <$> cube 0 2)) `shouldSatisfy` boxed (V3 9 (-2) (-1)) (V3 11 2 1)
+    it "is none for a plane, transformed or not" $ do
+      let ground = APlane <$> plane 0 (V3 0 0 1)
+      map (fmap ofShape) [ground, ATransformed <$> transform (V3 2 1 1) 0 0 <*> ground] `shouldBe` [Just Nothing, Just Nothing]
+
+  describe "meets" $ do
+    it "is so where the ray comes in before the bound" $ map (meetsUnit (ray (V3 (-3) 0 0) (V3 2 0 0))) [1 / 0, 1, 0.999] `shouldBe` [True, True, False]
+    it "is so inside" $ map (meetsUnit (ray 0 (V3 1 2 3))) [1 / 0, 0] `shouldBe` [True, True]
+    it "is not beside" $ meetsUnit (ray (V3 (-3) 1.5 0) (V3 1 0 0)) (1 / 0) `shouldBe` False
+    it "is not past a corner, where each two intervals but one overlap" $ meetsUnit (ray (V3 (-3) 0 0) (V3 2 3 1)) (1 / 0) `shouldBe` False
+    it "is not behind" $ meetsUnit (ray (V3 3 0 0) (V3 1 0 0)) (1 / 0) `shouldBe` False
+    it "takes a ray that runs in a face" $ meetsUnit (ray (V3 (-3) 1 0) (V3 1 0 0)) 1000 `shouldBe` True
+    it "takes a ray that runs in an edge, whatever the sign of zero" $
+      [meetsUnit (ray (V3 (-3) y z) (V3 1 j k)) 1000 | y <- [1, -1], z <- [1, -1], j <- [0, -0.0], k <- [0, -0.0]] `shouldSatisfy` and
 
   describe "as laws" $ do
     modifyMaxSuccess (* 10) $ do
@@ -46,16 +64,20 @@ spec = do
       prop "the box of a shape holds its points" holdsItsShape
       prop "and ends where the shape does" isTight
       prop "hits, as computed, are in the box" holdsHits
+      prop "hits of shapes of all sorts, as computed, are in the box" holdsHitsOfShapes
     modifyMaxSuccess (* 50) $ do
       prop "a ray never misses a box that it meets exactly" neverMissesWhatItHolds
       prop "and meets no other, but for rounding" agreesWithTheExactAnswer
+      prop "a ray without length meets the boxes that hold its origin" goesNowhereWithoutLength
+      prop "a ray runs down where its direction is negative" knowsItsFirstFaces
 
   it "is tried in all its corners by these laws" $
     checkCoverage $ \a -> foldr (\(name, holds) -> cover 0.1 holds name) (property True) (corners a)
   where
     unitBox = fromMaybe (ofPoints 0 []) (box (V3 (-1) (-1) (-1)) (V3 1 1 1))
-    entryOf :: Ray -> Double
-    entryOf r = entry (approach r) unitBox 1000
+    meetsUnit :: Ray -> Double -> Bool
+    meetsUnit r = meets (approach r) (boxFace unitBox)
+    boxed low high shape = maybe False (fits low high) (shape >>= ofShape)
 
 -- | Whether a box is this one, but for a slack of a few millionths.
 fits :: Point -> Point -> Box -> Bool

@@ -1,3 +1,5 @@
+{-# LANGUAGE HexFloatLiterals #-}
+
 -- | Triangles: examples, the laws, and meshes through which no ray slips.
 module Dioptre.Geometry.TriangleSpec (spec) where
 
@@ -36,7 +38,15 @@ spec = do
         [(x, y) | x <- [-1 .. 5], y <- [-1 .. 5], triangleParameters 0 (V3 4 0 0) (V3 0 4 0) (triangleNormal t) (ray (V3 x y 3) (V3 0 0 (-1))) == [3]]
           `shouldBe` [(x, y) | x <- [0 .. 4], y <- [0 .. 4 - x]]
 
-  describe "barycentric" $
+  describe "barycentric" $ do
+    it "knows where a point of a needle is" $
+      [barycentric 0 (V3 1 0 0) (V3 1 e 0) (V3 0.75 (e / 4) 0) | e <- [0x1p-9, 0x1p-20, 0x1p-27, 0x1p-40, 0x1p-49]] `shouldBe` replicate 5 (0.5, 0.25)
+    it "knows it of the smallest and the largest triangles, and of those with one short edge" $
+      [barycentric 0 (V3 a 0 0) (V3 0 b 0) (V3 (a / 2) (b / 4) 0) | (a, b) <- [(0x1p-600, 0x1p-600), (0x1p-300, 0x1p-300), (0x1p300, 0x1p300), (0x1p-300, 0x1p300), (1, 0x1p-500)]]
+        `shouldBe` replicate 5 (0.5, 0.25)
+    it "is 0 at the first corner, however thin the triangle" $
+      barycentric (V3 1 1 1) (V3 2 1 1) (V3 2 (1 + 0x1p-45) 1) (V3 1 1 1) `shouldBe` (0, 0)
+    prop "coordinates are near the exact ones in needles too" needlesAreNearExact
     it "counts along the two edges from the first corner" $
       [barycentric (V3 1 1 1) (V3 3 1 1) (V3 1 5 1) p | p <- [V3 1 1 1, V3 3 1 1, V3 1 5 1, V3 2 2 1]] `shouldBe` [(0, 0), (1, 0), (0, 1), (0.5, 0.25)]
 

@@ -1,9 +1,10 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What shading needs of a scene: surfaces, lights and terms made ready.
+-- | What shading needs of a scene: finishes, lights and terms made ready.
 module Dioptre.Render.StageSpec (spec) where
 
 import qualified Data.Map.Strict as Map
+import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
@@ -11,11 +12,15 @@ import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Unboxed as Unboxed
 import Data.Word (Word8)
 import Dioptre.Light.Colour
+import Dioptre.Light.Finish
 import Dioptre.Light.Light
 import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector
+import Dioptre.Model.Library (noModels)
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Render.Stage
+import Dioptre.Render.Texture (Texture (..), Upward (..))
+import Dioptre.Render.World (finishAt, worldHasMedia, worldHasPictures, worldSize)
 import Dioptre.Scene.Raytracer (ReflexionAlgorithm (..))
 import Laws.Shade (sceneOf)
 import Linear.V3 (V3 (..))
@@ -36,30 +41,32 @@ spec = do
                      Just (Terms True True BlinnHighlight)
                    ]
 
-  describe "surfaces" $ do
-    it "have the colours of their materials, shape by shape" $ do
-      let surfaces = Vector.toList (stageSurfaces (ready (glass ++ tin ++ ball "tin" ++ ball "glass" ++ ball "tin")))
-      map surfaceDiffuse surfaces `shouldBe` [rgb 0.5 0.5 0.5, Colour 0.25 0.125 0 0.5, rgb 0.5 0.5 0.5]
-      map surfaceAmbient surfaces `shouldBe` [rgb 0.125 0.125 0.125, Colour 0.75 0.375 0 0.5, rgb 0.125 0.125 0.125]
-      map surfaceSpecular surfaces `shouldBe` [rgb 0.75 0.75 0.75, rgb 0.5 0.375 0.25, rgb 0.75 0.75 0.75]
-      map surfaceShininess surfaces `shouldBe` [7, 150, 7]
-      map surfaceMirror surfaces `shouldBe` [0.125, 0, 0.125]
-      map surfaceTransparency surfaces `shouldBe` [0, 0.5, 0]
-      map surfaceTint surfaces `shouldBe` [rgb 0 0 0, Colour 0.5 0.25 0 0.5, rgb 0 0 0]
-      map isTransparent surfaces `shouldBe` [False, True, False]
+  describe "finishes" $ do
+    it "are those of their materials, shape by shape" $ do
+      let finishes = finishesOf (ready (glass ++ tin ++ ball "tin" ++ ball "glass" ++ ball "tin"))
+      map (plain . finishDiffuse) finishes `shouldBe` [rgb 0.5 0.5 0.5, Colour 0.25 0.125 0 0.5, rgb 0.5 0.5 0.5]
+      map (plain . finishAmbient) finishes `shouldBe` [rgb 0.125 0.125 0.125, Colour 0.75 0.375 0 0.5, rgb 0.125 0.125 0.125]
+      map (plain . finishSpecular) finishes `shouldBe` [rgb 0.75 0.75 0.75, rgb 0.5 0.375 0.25, rgb 0.75 0.75 0.75]
+      map finishShininess finishes `shouldBe` [7, 150, 7]
+      map finishMirror finishes `shouldBe` [0.125, 0, 0.125]
+      map finishTransparency finishes `shouldBe` [0, 0.5, 0]
+      map finishTint finishes `shouldBe` [rgb 0 0 0, Colour 0.5 0.25 0 0.5, rgb 0 0 0]
+      map isTransparent finishes `shouldBe` [False, True, False]
     it "have the index of their material only if something passes" $
-      map surfaceIndex (Vector.toList (stageSurfaces (ready (glass ++ tin ++ ball "tin" ++ ball "glass")))) `shouldBe` [1, 1.5]
-    it "know whether any of them lets light pass" $
-      map (stageHasMedia . ready) [glass ++ tin ++ ball "tin", glass ++ ball "glass", []] `shouldBe` [False, True, False]
-    it "take the first of materials of one name" $
-      map surfaceMirror (Vector.toList (stageSurfaces (ready (tin ++ ["material", "name tin", "kr 1", "end"] ++ ball "tin")))) `shouldBe` [0.125]
-    it "have those pictures that are there" $ do
+      map finishIndex (finishesOf (ready (glass ++ tin ++ ball "tin" ++ ball "glass"))) `shouldBe` [1, 1.5]
+    it "tell whether any closed shape lets light pass" $
+      map (worldHasMedia . stageWorld . ready) [glass ++ tin ++ ball "tin", glass ++ ball "glass", glass ++ pane "glass", []] `shouldBe` [False, True, False, False]
+    it "are of the first of materials of one name" $
+      map finishMirror (finishesOf (ready (tin ++ ["material", "name tin", "kr 1", "end"] ++ ball "tin"))) `shouldBe` [0.125]
+    it "have those pictures that are there, which begin with their first row" $ do
       let textured which = ["texture_material", "name t"] ++ which ++ ["end"] ++ ball "t"
-          texturesOf text = [fmap (\t -> (texturedAmbient t, texturedDiffuse t, texturedSpecular t)) (surfaceTextures s) | s <- Vector.toList (stageSurfaces (stage pictures (sceneOf text)))]
-      texturesOf (textured ["texture_ka white.png", "texture_ks half.png"]) `shouldBe` [Just (Just whitePicture, Nothing, Just halfPicture)]
-      texturesOf (textured ["texture_kd half.png", "texture_ks lost.png"]) `shouldBe` [Just (Nothing, Just halfPicture, Nothing)]
-      texturesOf (textured ["texture_kd lost.png"]) `shouldBe` [Nothing]
-      texturesOf (tin ++ ball "tin") `shouldBe` [Nothing]
+          picturesOf text = [(pictured (finishAmbient f), pictured (finishDiffuse f), pictured (finishSpecular f)) | f <- finishesOf (ready text)]
+          down = Just . Texture FromFirstRow
+      picturesOf (textured ["texture_ka white.png", "texture_ks half.png"]) `shouldBe` [(down whitePicture, Nothing, down halfPicture)]
+      picturesOf (textured ["texture_kd half.png", "texture_ks lost.png"]) `shouldBe` [(Nothing, down halfPicture, Nothing)]
+      picturesOf (textured ["texture_kd lost.png"]) `shouldBe` [(Nothing, Nothing, Nothing)]
+      picturesOf (tin ++ ball "tin") `shouldBe` [(Nothing, Nothing, Nothing)]
+      map (worldHasPictures . stageWorld . ready) [textured ["texture_ks half.png"], textured ["texture_kd lost.png"], tin ++ ball "tin"] `shouldBe` [True, False, False]
 
   describe "lights" $ do
     it "stand in their order, with unit directions" $
@@ -101,7 +108,11 @@ spec = do
     tin = ["material", "name tin", "ka 0.125", "kd 0.5", "ks 0.75", "kr 0.125", "refractive_index 3", "shininess 7", "end"]
     ball name = ["primitive", "material_name " <> name, "sphere", "end", "end"]
     lamp word more = [word, "color 1 1 0", "position 1 2 3", "amplification 2", "constant_attenuator 3", "linear_attenuator 4", "quadratic_attenuator 5"] ++ more ++ ["end"]
-    ready = stage pictures . sceneOf
+    pane name = ["primitive", "material_name " <> name, "disk", "end", "end"]
+    plain (Layer c _) = c
+    pictured (Layer _ p) = p
+    finishesOf s = mapMaybe (finishAt (stageWorld s)) [0 .. worldSize (stageWorld s) - 1]
+    ready = stage pictures noModels . sceneOf
     lightsOf = Vector.toList . stageSources . ready
     sources :: Text -> [Text] -> [(Double, Double, Double)]
     sources word more = concatMap sourcesOf (lightsOf ([word, "width 2", "height 2", "nb_oscillator 3"] ++ more ++ ["end"]))

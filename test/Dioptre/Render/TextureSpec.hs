@@ -6,7 +6,7 @@ import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Picture (Picture, picture)
-import Dioptre.Render.Texture (texel)
+import Dioptre.Render.Texture (Texture (..), Upward (..), texel)
 import Linear.V2 (V2 (..))
 import Test.Hspec
 
@@ -21,11 +21,15 @@ spec = do
     -- trunc (2 v), down from the first row
     for_ [(0, 0), (0.49, 0), (0.5, 1), (0.99, 1), (1, 2), (1.5, 1), (-0.25, 1), (-0.75, 0)] $ \(v, row) ->
       it ("is row " <> show row <> " of 3 at v = " <> show v) $ place (texel board (V2 0 v)) `shouldBe` (0, row)
+    -- Upwards from the last row, 1 - v is looked up: trunc (2 (1 - v))
+    for_ [(0, 2), (0.01, 1), (0.49, 1), (0.5, 1), (0.51, 0), (1, 0), (1.25, 1), (-0.25, 0), (-0.75, 1)] $ \(v, row) ->
+      it ("is row " <> show row <> " of 3 at v = " <> show v <> ", where v runs up") $ place (texel upwards (V2 0 v)) `shouldBe` (0, row)
+    it "is in the same column, where v runs up" $ [place (texel upwards (V2 u 0)) | u <- [0, 0.3, 1, -0.25]] `shouldBe` [(0, 2), (1, 2), (4, 2), (3, 2)]
     it "is in column and row at once" $ place (texel board (V2 0.75 0.5)) `shouldBe` (3, 1)
     it "is the only one of a picture of one pixel" $
       [texel (dot' 9 9 9 9) (V2 u v) | u <- [0, 0.3, 1, -7.5], v <- [0, 1, 2.5]] `shouldSatisfy` all (== texel (dot' 9 9 9 9) (V2 0 0))
     it "is in the picture, however large the coordinates are" $
-      [place (texel board (V2 u v)) | u <- huge, v <- huge] `shouldSatisfy` all (\(x, y) -> 0 <= x && x <= 4 && 0 <= y && y <= 2)
+      [place (texel way (V2 u v)) | way <- [board, upwards], u <- huge, v <- huge] `shouldSatisfy` all (\(x, y) -> 0 <= x && x <= 4 && 0 <= y && y <= 2)
 
   describe "the colour of a pixel" $ do
     -- The nearest binary32 numbers, from the digits of k / 255
@@ -36,11 +40,15 @@ spec = do
     it "leaves alpha out" $ [texel (dot' 255 0 255 a) (V2 0 0) | a <- [0, 128, 255]] `shouldBe` replicate 3 (Colour 1 0 1 1)
   where
     huge = [1e17, -1e17, 1e100, -1e100, 1e-300, -1e-300]
-    dot' r g b a = picture 1 (Storable.fromList [r, g, b, a])
+    dot' r g b a = Texture FromFirstRow (picture 1 (Storable.fromList [r, g, b, a]))
 
 -- | Five columns and three rows; red is 51 times the column, green 51 times the row.
-board :: Picture
-board = picture 5 (Storable.fromList (concat [[51 * x, 51 * y, 7, 255 - x] | y <- [0 .. 2], x <- [0 .. 4 :: Word8]]))
+board, upwards :: Texture
+board = Texture FromFirstRow numbers
+upwards = Texture FromLastRow numbers
+
+numbers :: Picture
+numbers = picture 5 (Storable.fromList (concat [[51 * x, 51 * y, 7, 255 - x] | y <- [0 .. 2], x <- [0 .. 4 :: Word8]]))
 
 -- | Which column and row a colour of the board is from.
 place :: Colour -> (Int, Int)

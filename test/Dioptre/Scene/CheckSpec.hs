@@ -433,7 +433,7 @@ notes = describe "what is no mistake" $ do
   it "is an error, a warning or a note" $ do
     map severity [UnclosedComment, StrayEnd "end", RepeatedProperty "point" 3, SecondShape "primitive"] `shouldBe` replicate 4 Error
     map severity [MissingMaterial "a" Nothing, RepeatedMaterial "a" 1, SamplingWithoutRandom 2] `shouldBe` replicate 3 Warning
-    map severity [NotDrawnYet "model", NoMaterialName, ReplacedObject "camera" 1] `shouldBe` replicate 3 Note
+    map severity [NoMaterialName, ReplacedObject "camera" 1] `shouldBe` replicate 2 Note
   it "is told in the order of the file, whatever was found first" $ do
     let text = ["primitive", "material_name x", "sphere", "oops 1", "end", "raytracer", "sampling 2", "end", "material", "name a", "ka 7", "end", "material", "name a"]
         lines' = [spanLine (diagnosticSpan d) | d <- readingDiagnostics (readLines text)]

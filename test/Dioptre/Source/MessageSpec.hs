@@ -25,7 +25,10 @@ spec = do
       nub (sort (map code problems))
         `shouldBe` sort
           ( ["unknown-word", "misplaced-word", "stray-end", "misspelt-end", "missing-end", "unclosed-comment", "repeated-property", "second-shape", "decimal-comma"]
-              <> ["no-material-name", "missing-material", "repeated-material", "replaced-object", "not-drawn-yet", "sampling-without-random"]
+              <> ["no-material-name", "missing-material", "repeated-material", "replaced-object", "sampling-without-random"]
+              <> ["no-model-file", "unknown-model-format", "model-cycle", "model-too-deep", "too-many-parts", "differing-uv-format"]
+              <> ["missing-rows", "unequal-rows", "pieces-without-length"]
+              <> ["bad-face", "mixed-face", "short-face", "missing-vertex", "missing-attribute", "no-attributes", "collinear-triangles", "long-line", "too-many-libraries", "unknown-material-of-model", "more-faults"]
               <> ["missing-file", "several-files", "unreadable-file"]
               <> ["missing-value", "not-a-number", "not-an-integer", "number-too-large", "out-of-range", "wrong-count", "unknown-choice", "unsafe-name", "name-taken", "wrong-ending", "zero-vector", "zero-component", "same-point"]
               <> ["no-shape", "zero-size", "zero-normal", "nowhere-to-look", "up-along-front", "far-before-near", "collinear-points", "equal-points", "inner-beyond-outer"]
@@ -60,8 +63,17 @@ problems =
     <> [RepeatedProperty "point" n | n <- [1, 3]]
     <> [SecondShape "primitive", DecimalComma "angle" "20"]
     <> [ImpossibleObject "camera" f d | f <- flaws, d <- [LeftOut, Superseded]]
-    <> [NoMaterialName, MissingMaterial "a" Nothing, MissingMaterial "a" (Just "b"), RepeatedMaterial "a" 3, ReplacedObject "camera" 3, NotDrawnYet "model", SamplingWithoutRandom 4]
-    <> [UnusableFile "a" u t | u <- [ForTexture, ForMask], t <- [NoSuchFile ["scenes"], SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
+    <> [NoMaterialName, MissingMaterial "a" Nothing, MissingMaterial "a" (Just "b"), RepeatedMaterial "a" 3, ReplacedObject "camera" 3, SamplingWithoutRandom 4]
+    <> [NoModelFile, UnknownModelFormat "a.stl", ModelCycle ["a.msr", "b.msr", "a.msr"], ModelTooDeep "a.msr" 64, TooManyParts "a.msr" (2 ^ (48 :: Int)), DifferingUvFormat "a.obj" "default"]
+    <> [BrokenCurve f | f <- [RowsMissing 1, RowsMissing 2, RowsDiffer 2 3, RowRefused (NotANumber "x"), RowRefused (TooLarge "1e101")]]
+    <> [PiecesWithoutLength n | n <- [1, 2]]
+    <> [BadCoordinates w (NotANumber "x") | w <- ["v", "vt", "vn"]]
+    <> [BadFace f | f <- [NotACorner "1/x", OtherForm "1" "1/2", TooFewCorners 1, TooFewCorners 2]]
+    <> [MissingVertex "9" n | n <- [0, 1, 8]]
+    <> [MissingAttribute w "9" n | w <- ["vt", "vn"], n <- [1, 8]]
+    <> [NoAttributes w n | w <- ["vt", "vn"], n <- [1, 2]]
+    <> [CollinearTriangles 1, CollinearTriangles 2, LongLine 100, TooManyLibraries 100, UnknownMaterialOfModel "gold", MoreFaults 1, MoreFaults 2]
+    <> [UnusableFile "a" u t | u <- [ForTexture, ForMask, ForModel, ForMaterialLibrary], t <- [NoSuchFile ["scenes"], SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
 
 refusals :: [Refusal]
 refusals =
@@ -75,6 +87,6 @@ flaws =
 expectations :: [Expectation]
 expectations =
   [ARealNumber r | r <- ranges] <> [AnInteger r | r <- ranges]
-    <> [AVector, AVectorWithoutZero, ADirection, TwoCoordinates, AColour ["red"], ABoolean, AChoice ["a", "b"], SomeText, AnOutputName, AnOutputNameEnding ".txt"]
+    <> [AVector, AVectorWithoutZero, ADirection, TwoCoordinates, AColour ["red"], ABoolean, AChoice ["a", "b"], SomeText, AnOutputName, AnOutputNameEnding ".txt", AmountsOfLight]
   where
     ranges = [AnyNumber, AtLeast "0", Between "0" "1"]

@@ -40,6 +40,9 @@ spec = modifyMaxSuccess (const 300) $ do
     it "are counted from 1, and empty where there are none" $ do
       let source = fromText "a" "one\n\nthree\r\nfour"
       map (lineAt source) [-1 .. 6] `shouldBe` ["", "", "one", "", "three", "four", "", ""]
+    it "may be known in part" $ do
+      let source = excerpts "a" [(7, "seven"), (2, "two")]
+      map (lineAt source) [1, 2, 7, 8] `shouldBe` ["", "two", "seven", ""]
 
   describe "columns" $ do
     prop "count code points" $ \(SceneText t) -> countsCodePoints t

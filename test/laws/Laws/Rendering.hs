@@ -17,11 +17,13 @@ import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 import Dioptre.Light.Colour (Colour (..))
+import Dioptre.Model.Library (noModels)
 import Dioptre.Picture
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
 import Dioptre.Render
 import Dioptre.Render.Row
 import Dioptre.Render.Sampling (offset)
+import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..))
@@ -33,14 +35,14 @@ import Test.QuickCheck.Monadic (monadicIO, run)
 -- | The picture does not depend on how many workers share it.
 workersDoNotMatter :: Sketch -> Property
 workersDoNotMatter unlit = forAll ((,) <$> lit unlit <*> chooseInt (1, 8)) $ \(s, n) -> monadicIO $ do
-  let p = plan mempty (sketchScene s)
+  let p = plan mempty noModels (sketchScene s)
   (shared, _) <- run (renderWith n (pure ()) p)
   pure (shared === rendered p)
 
 -- | As many rays are counted as there are samples, as many tests as shapes to each, and every row is reported once.
 everythingIsTallied :: Sketch -> Property
 everythingIsTallied s = forAll (chooseInt (1, 8)) $ \n -> monadicIO $ do
-  let p = plan mempty (sketchScene s)
+  let p = plan mempty noModels (sketchScene s)
       (w, h) = sketchSize s
       rays = w * h * sketchSamples s
   count <- run (newIORef (0 :: Int))
@@ -51,11 +53,11 @@ everythingIsTallied s = forAll (chooseInt (1, 8)) $ \n -> monadicIO $ do
 -- | The picture of a window is that part of the whole picture, pixel for pixel, random ones included.
 windowsAreParts :: Sketch -> Property
 windowsAreParts unlit = forAll (lit unlit) $ \s -> forAll (part s) $ \(x, y, w, h) ->
-  let scene = sketchScene s; everything = rendered (plan mempty scene); width = fst (sketchSize s)
+  let scene = sketchScene s; everything = rendered (plan mempty noModels scene); width = fst (sketchSize s)
    in case window (sceneViewport scene) x y w h of
         Nothing -> counterexample "no window" False
         Just it ->
-          let p = planWithin it mempty scene
+          let p = planWithin it mempty noModels scene
               some = rendered p
            in (planWidth p, planHeight p) === (w, h)
                 .&&. (pictureWidth some, pictureHeight some) === (w, h)
@@ -81,10 +83,10 @@ windowsLieInThePicture s = forAll ((,,,) <$> some <*> some <*> some <*> some) $ 
 rowsAreColours :: Sketch -> Property
 rowsAreColours unlit = forAll (lit unlit) $ \s ->
   let scene = sketchScene s
-      p = plan mempty scene
+      p = plan mempty noModels scene
       how = raytracerColourNormalization (sceneRaytracer scene)
    in conjoin
-        [ counterexample (show y) (Storable.toList (rowBytes (row p y)) === concat [bytes (pixelOf how colour) | x <- [0 .. planWidth p - 1], let Sampled colour _ _ = colourAt p x y])
+        [ counterexample (show y) (Storable.toList (rowBytes (row p y)) === concat [bytes (pixelOf how colour) | x <- [0 .. planWidth p - 1], let Sampled colour _ = colourAt p x y])
           | y <- [0 .. planHeight p - 1]
         ]
 
@@ -104,10 +106,10 @@ coloursAreBruteForce :: Sketch -> Property
 coloursAreBruteForce s =
   cover 50 (certain >= 9 * length pixels `div` 10) "nearly all pixels certain" $
     cover 40 (or [a /= Background | (_, _, as) <- pixels, a <- as]) "something is seen" $
-      conjoin [counterexample (show (x, y, as)) (agrees (let Sampled c _ _ = colourAt p x y in c) colours) | (x, y, as) <- pixels, Just colours <- [mapM (sketchColour s) as]]
+      conjoin [counterexample (show (x, y, as)) (agrees (let Sampled c _ = colourAt p x y in c) colours) | (x, y, as) <- pixels, Just colours <- [mapM (sketchColour s) as]]
   where
     scene = sketchScene s
-    p = plan mempty scene
+    p = plan mempty noModels scene
     (w, h) = sketchSize s
     n = sketchSamples s
     pixels = [(x, y, [answer s (fromIntegral x + dx) (fromIntegral y + dy) | k <- [0 .. n - 1], let (dx, dy) = offset (sceneRaytracer scene) w x y k]) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
@@ -118,4 +120,4 @@ coloursAreBruteForce s =
 
 -- | The text of a sketch becomes a scene with all its things and lights.
 scenesAreUnderstood :: Sketch -> Property
-scenesAreUnderstood unlit = forAll (lit unlit) $ \s -> let scene = sketchScene s in length (scenePrimitives scene) === length (sketchThings s) .&&. planShapes (plan mempty scene) === length (sketchThings s) .&&. length (sceneLights scene) === (if sketchIsLit s then 2 else 0)
+scenesAreUnderstood unlit = forAll (lit unlit) $ \s -> let scene = sketchScene s in length (scenePrimitives scene) === length (sketchThings s) .&&. extentShapes (planExtent (plan mempty noModels scene)) === length (sketchThings s) .&&. length (sceneLights scene) === (if sketchIsLit s then 2 else 0)

@@ -9,6 +9,7 @@
 module Laws.Shade
   ( -- * Scenes
     sceneOf,
+    Shown (..),
     seen,
     seenWith,
     channels,
@@ -25,6 +26,7 @@ module Laws.Shade
     -- * What the laws are tried with
     Small (..),
     smallCorners,
+    aMaterial,
 
     -- * Laws
     loopIsTheRecursion,
@@ -52,7 +54,6 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import qualified Data.Vector as Vector
 import qualified Data.Vector.Unboxed as Unboxed
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Disk (disk)
@@ -68,11 +69,13 @@ import Dioptre.Light.Material (Material (..), standard)
 import Dioptre.Light.Wave (intensity, linearOscillators, planarOscillators)
 import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector
+import Dioptre.Model.Library (noModels)
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
-import Dioptre.Render.Shade (Passage (..), Seen (..), look, mostRays, passage, unlit)
+import Dioptre.Render.Shade (Passage (..), Seen (..), Way (..), look, mostRays, passage, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Texture (Assets)
+import Dioptre.Render.World (world)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), cameraSettings)
 import Dioptre.Scene.Check (checkScene)
@@ -95,17 +98,21 @@ sceneOf text = case filter ((== Error) . severity . diagnosticProblem) said of
   where
     (scene, said) = checkScene (parse (fromText "scene.txt" (Text.unlines text)))
 
+-- | What a ray sees, but for how many times it was tried on a shape, which depends on the index: the colour, how many rays were cast, and whether more were wanted than
+-- 'mostRays'.
+data Shown = Shown {shownColour :: Colour, shownRays :: Int, shownCut :: Bool}
+  deriving (Eq, Show)
+
 -- | What a ray sees in a scene without pictures.
-seen :: Scene -> Ray -> Seen
+seen :: Scene -> Ray -> Shown
 seen = seenWith Map.empty
 
 -- | What a ray sees in a scene with these pictures.
-seenWith :: Assets -> Scene -> Ray -> Seen
-seenWith assets scene r = case stageTerms s of
-  Just terms -> look s terms far r
-  Nothing -> Seen (unlit s far r) 1 False
+seenWith :: Assets -> Scene -> Ray -> Shown
+seenWith assets scene r = case maybe (unlit s far r) (\terms -> look s terms far r) (stageTerms s) of
+  Seen c rays _ cut -> Shown c rays cut
   where
-    s = stage assets scene
+    s = stage assets noModels scene
     far = farOf scene
 
 farOf :: Scene -> Double
@@ -273,8 +280,9 @@ instance Arbitrary Small where
               (1, LinearAperture <$> lamp <*> wave <*> ((,) <$> place <*> place)),
               (1, PlanarAperture Rectangle <$> lamp <*> wave <*> pure (Aperture 0.001 0.002 (V3 1 2 3) (V3 0 1 0)))
             ]
-    materials <- chooseInt (1, 4) >>= \n -> mapM material (take n ["a", "b", "c", "d"])
-    centres <- chooseInt (1, 6) >>= (`vectorOf` place)
+    materials <- chooseInt (1, 4) >>= \n -> mapM aMaterial (take n ["a", "b", "c", "d"])
+    -- Some are more than are tried one after the other.
+    centres <- frequency [(5, chooseInt (1, 6)), (1, chooseInt (9, 20))] >>= (`vectorOf` place)
     shapes <- mapM shape centres
     primitives <- mapM (\s -> (`Primitive` s) . materialName <$> elements materials) shapes
     lights <- frequency [(1, pure 0), (14, chooseInt (1, 4))] >>= (`vectorOf` light)
@@ -299,8 +307,9 @@ colour = frequency [(1, pure (rgb 0 0 0)), (3, pure (rgb 1 1 1)), (10, Colour <$
   where
     channel = frequency [(1, pure 0), (1, pure 1), (4, choose (0.01, 2))]
 
-material :: Text -> Gen Material
-material name = made <$> colour <*> coefficient <*> coefficient <*> coefficient <*> coefficient <*> coefficient <*> coefficient <*> shininess <*> index
+-- | A material of that name; opaque or not, a mirror or not.
+aMaterial :: Text -> Gen Material
+aMaterial name = made <$> colour <*> coefficient <*> coefficient <*> coefficient <*> coefficient <*> coefficient <*> coefficient <*> shininess <*> index
   where
     made c ka kd ks kr kt p shine n =
       standard
@@ -349,7 +358,7 @@ smallCorners (Small scene r) =
 loopIsTheRecursion :: Small -> Property
 loopIsTheRecursion (Small scene r) = within 1e-12 (channels c) plain .&&. (rays, cut) === (followed + shadows, cut')
   where
-    Seen c rays cut = seen scene r
+    Shown c rays cut = seen scene r
     Plain plain followed shadows cut' = plainly scene r
 
 -- | What several lights give is the sum of what each gives alone: to the roundings of the sum.
@@ -403,7 +412,7 @@ twiceTheLightIsTwiceTheColour (Small scene r) = within 0 (colourOf (setLights (m
 
 -- | At level 1 it does not matter whether anything is a mirror, and one ray is followed, with at most one shadow ray a light.
 levelOneHasNoBounces :: Small -> Property
-levelOneHasNoBounces (Small scene r) = seen one r === seen (setMaterials (\m -> m {materialKr = 0}) one) r .&&. counterexample "rays" (seenRays (seen one r) <= 1 + length (sceneLights scene))
+levelOneHasNoBounces (Small scene r) = seen one r === seen (setMaterials (\m -> m {materialKr = 0}) one) r .&&. counterexample "rays" (shownRays (seen one r) <= 1 + length (sceneLights scene))
   where
     one = setLevel 1 scene
 
@@ -421,14 +430,14 @@ withoutMirrorsLevelsDoNotMatter (Small scene' r) = seen (setLevel 7 scene) r ===
 
 -- | Without lights everything is black, and all rays are followed all the same.
 withoutLightsAllIsBlack :: Small -> Property
-withoutLightsAllIsBlack (Small scene r) = channels (seenColour dark) === [0, 0, 0] .&&. seenRays dark === followed
+withoutLightsAllIsBlack (Small scene r) = channels (shownColour dark) === [0, 0, 0] .&&. shownRays dark === followed
   where
     dark = seen (setLights [] scene) r
     Plain _ followed _ _ = plainly scene r
 
 -- | Ambient light takes no shadow rays, and is the same whatever stands around the surface: as if the first shape that is met were alone.
 ambientLightTakesNoShadowRays :: Small -> Property
-ambientLightTakesNoShadowRays (Small scene' r) = seenRays here === 1 .&&. seenColour here `elem'` (Colour 0 0 0 1 : [seenColour (seen scene {scenePrimitives = [p]} r) | p <- scenePrimitives scene])
+ambientLightTakesNoShadowRays (Small scene' r) = shownRays here === 1 .&&. shownColour here `elem'` (Colour 0 0 0 1 : [shownColour (seen scene {scenePrimitives = [p]} r) | p <- scenePrimitives scene])
   where
     scene = setLevel 1 (setLights [l | l@(Ambient _) <- sceneLights scene'] scene')
     here = seen scene r
@@ -436,7 +445,7 @@ ambientLightTakesNoShadowRays (Small scene' r) = seenRays here === 1 .&&. seenCo
 
 -- | Without light a ray sees kd times the colour of what it meets first, as opaque as that colour, or black; and no other ray is cast.
 noLightIsDiffuse :: Small -> Property
-noLightIsDiffuse (Small scene' r) = seen scene r === Seen expected 1 False
+noLightIsDiffuse (Small scene' r) = seen scene r === Shown expected 1 False
   where
     scene = setAlgorithm NoLight scene'
     met = sortOn fst [(t, p) | p <- scenePrimitives scene, Just shape <- [prepare (primitiveShape p)], t <- take 1 (filter (> 1e-8) (parameters shape r)), t < farOf scene]
@@ -447,7 +456,7 @@ noLightIsDiffuse (Small scene' r) = seen scene r === Seen expected 1 False
 
 -- | A lit picture is opaque, whatever the alphas of its colours.
 litIsOpaque :: Small -> Property
-litIsOpaque (Small scene r) = alpha (seenColour (seen scene r)) === 1
+litIsOpaque (Small scene r) = alpha (shownColour (seen scene r)) === 1
 
 -- | A perfect mirror that sends nothing of its own shows what the reflected ray sees with one level less, exactly.
 mirrorShowsWhatItFaces :: Small -> Property
@@ -505,11 +514,11 @@ slabDisplaces = forAll ((,,) <$> choose (0, 1.2) <*> choose (0, 2 * pi) <*> oneo
 -- | What a shadow ray passes does not depend on the order of the shapes, up to roundings.
 passageHasNoOrder :: Small -> Property
 passageHasNoOrder (Small scene r) = forAll ((,) <$> shuffle (scenePrimitives scene) <*> elements [1, 3, 1 / 0]) $ \(shapes, bound) ->
-  let at s = passage s r bound
-   in counterexample (show (Vector.length (stageSurfaces (stage Map.empty scene)))) $
-        case (at (stage Map.empty scene), at (stage Map.empty scene {scenePrimitives = shapes})) of
+  let at these = let Passage way _ = passage (world Map.empty noModels scene {scenePrimitives = these}) r bound in way
+   in counterexample (show (length shapes)) $
+        case (at (scenePrimitives scene), at shapes) of
           (Tinted a b c, Tinted a' b' c') -> within 1e-14 [a, b, c] [a', b', c']
           (x, y) -> x === y
 
 colourOf :: Scene -> Ray -> [Double]
-colourOf scene = channels . seenColour . seen scene
+colourOf scene = channels . shownColour . seen scene

@@ -5,6 +5,7 @@ module Laws.Triangle
   ( -- * One triangle
     orderOfCornersDoesNotMatter,
     barycentricIsNearExact,
+    needlesAreNearExact,
     interpolatedIsNearExact,
     interpolatesCorners,
     collinearCornersAreRefused,
@@ -74,6 +75,41 @@ barycentricIsNearExact (Aimed shape r) = case shape of
           ==> near t1 (inner w s1 * squared s2 - inner w s2 * inner s1 s2) (gamma 12 * (terms w s1 * squared s2 + terms w s2 * terms s1 s2))
           .&&. near t2 (inner w s2 * squared s1 - inner w s1 * inner s1 s2) (gamma 12 * (terms w s2 * squared s1 + terms w s1 * terms s1 s2))
   _ -> property True
+
+-- | In a needle, and in one that is scaled by any power of two, barycentric coordinates are near the exact ones.
+--
+-- Each component of a cross product has two products and a difference, gamma 2 of its terms, which are at most |a| |b| in sum by their squares: |e| <= 2 gamma 2 |a| |b|. So with
+-- s = |n| \/ |s1| |s2| and q = |w| \/ |n|, the product of a cross product and n errs by gamma 3 of both lengths and by their errors, and \<n, n> as well: with
+-- x = gamma 9 \/ s, each by at most (2 x + x^2) of |a| |b| |n|, and the quotient by these relative to |w| |s2| |n| and by |t| times those of \<n, n>. Edges and w are
+-- exact here, as the needle has few digits.
+needlesAreNearExact :: Property
+needlesAreNearExact = forAll setting $ \(k, Corners p0 p1 p2, p) ->
+  let s1 = exact p1 - exact p0
+      s2 = exact p2 - exact p0
+      w = exact p - exact p0
+      n = outer s1 s2
+      nn = squared n
+      far a b = rootAbove (squared a * squared b)
+      x = gamma 9 * far s1 s2 / rootBelow nn
+      near computed numerator edges =
+        let t = inner numerator n / nn
+            bound = (2 * x + x * x) * (edges / rootBelow nn + abs t) / (1 - 2 * x - x * x)
+         in counterexample (show (computed, fromRational t :: Double, fromRational bound :: Double)) $
+              abs (toRational computed - t) <= bound + eps * (abs t + bound)
+      scaled = fmap (scaleFloat k)
+      (t1, t2) = barycentric (scaled p0) (scaled p1) (scaled p2) (scaled p)
+   in nn > 0 && 2 * x + x * x < 1 ==> near t1 (outer w s2) (far w s2) .&&. near t2 (outer s1 w) (far s1 w)
+  where
+    -- Two edges of small whole numbers that differ by a little, and a point in them.
+    setting = do
+      k <- elements [-400, -250, 0, 0, 0, 250, 320]
+      along' <- point Few `suchThat` (/= 0)
+      beside <- point Few
+      thin <- chooseInt (8, 30)
+      let p1 = along'
+          p2 = fmap (* 0.5) along' + fmap (scaleFloat (negate thin)) beside
+      (i, j) <- (,) <$> chooseInt (0, 8) <*> chooseInt (0, 8)
+      pure (k, Corners 0 p1 p2, fmap (* (fromIntegral i / 8)) p1 + fmap (* (fromIntegral j / 8)) p2)
 
 -- | The interpolated normal is parallel to (1 - t1 - t2) N0 + t1 N1 + t2 N2, and points the same way.
 --

@@ -1,0 +1,78 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Finishes: what shading needs of a material, and its pictures looked up.
+module Dioptre.Light.FinishSpec (spec) where
+
+import Data.Foldable (toList)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Dioptre.Light.Colour
+import Dioptre.Light.Finish
+import Dioptre.Light.Material
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  -- With coefficients and channels that are multiples of powers of two, everything is exact
+  describe "the finish of a material" $ do
+    it "has the colours of its coefficients, one by one" $
+      finish gold
+        `shouldBe` Finish
+          { finishAmbient = plain (Colour 0.25 0.125 0.0625 0.75),
+            finishDiffuse = plain (Colour 0.5 0.25 0.125 0.75),
+            -- 1/4 (3/4 + 1/4 colour), as opaque as the sum
+            finishSpecular = plain (Colour 0.25 0.21875 0.203125 1),
+            finishShininess = 7,
+            finishMirror = 0.125,
+            finishTransparency = 0.5,
+            finishTint = Colour 0.5 0.25 0.125 0.75,
+            finishIndex = 1.5
+          }
+    it "has an index of 1, and a black tint, where nothing passes" $ do
+      let opaque = finish gold {materialKt = 0}
+      (finishIndex opaque, finishTransparency opaque, channels (finishTint opaque)) `shouldBe` (1, 0, [0, 0, 0])
+    it "names the pictures, each at its colour" $
+      pictures (finish (painted "a.png" "b.png" "c.png")) `shouldBe` [Just "a.png", Just "b.png", Just "c.png"]
+    it "knows none for the name none, nor for no name" $
+      pictures (finish (painted "none" "" "c.png")) `shouldBe` [Nothing, Nothing, Just "c.png"]
+    it "has the colours beside the pictures" $
+      (colours (finish (painted "a.png" "b.png" "c.png")), finishTint (finish (painted "a.png" "b.png" "c.png"))) `shouldBe` (colours (finish gold), finishTint (finish gold))
+
+  describe "withPictures" $ do
+    let f = finish (painted "a.png" "lost.png" "ccc.png")
+        look name = if name == "lost.png" then Nothing else Just (Text.length name)
+    it "puts in what is found, and leaves the colour where nothing is" $ pictures (withPictures look f) `shouldBe` [Just 5, Nothing, Just 7]
+    it "leaves everything else alone" $ do
+      colours (withPictures look f) `shouldBe` colours f
+      (finishShininess (withPictures look f), finishMirror (withPictures look f), finishTransparency (withPictures look f), finishTint (withPictures look f), finishIndex (withPictures look f))
+        `shouldBe` (7, 0.125, 0.5, Colour 0.5 0.25 0.125 0.75, 1.5)
+    it "changes nothing if every picture stays what it is" $ withPictures Just f `shouldBe` f
+
+  describe "isTransparent" $
+    it "is so where kt is not zero, however small" $ map (\kt -> isTransparent (finish gold {materialKt = kt})) [0, 1e-300, 0.5, 1] `shouldBe` [False, True, True, True]
+
+  describe "hasPictures" $
+    it "is so where a picture stands in for any of the three colours" $
+      map (hasPictures . finish) [gold, painted "none" "none" "", painted "a" "" "", painted "" "b" "", painted "" "" "c"] `shouldBe` [False, False, True, True, True]
+
+  describe "the pictures of a finish, as those of a container" $
+    it "come in the order ambient, diffuse, specular" $ toList (finish (painted "a" "none" "c")) `shouldBe` ["a", "c"]
+  where
+    gold =
+      standard
+        { materialColour = Colour 1 0.5 0.25 0.75,
+          materialKa = 0.25,
+          materialKd = 0.5,
+          materialKs = 0.25,
+          materialKr = 0.125,
+          materialKt = 0.5,
+          materialShininess = 7,
+          materialPlasticity = 0.75,
+          materialRefractiveIndex = 1.5
+        }
+    painted :: Text -> Text -> Text -> Material
+    painted a b c = gold {materialTextures = Just (Textures a b c)}
+    plain c = Layer c Nothing
+    channels (Colour r g b _) = [r, g, b]
+    pictures f = [p | Layer _ p <- [finishAmbient f, finishDiffuse f, finishSpecular f]]
+    colours f = [c | Layer c _ <- [finishAmbient f, finishDiffuse f, finishSpecular f]]
