@@ -55,10 +55,10 @@ data Axis = Axis
   }
   deriving stock (Eq, Show)
 
--- | The axis from one point to another; 'Nothing' if they are equal.
+-- | The axis from one point to another; 'Nothing' if they are equal, or so near that their distance, as it is computed, is 0 (which takes less than 1e-161).
 axis :: Point -> Point -> Maybe Axis
 axis a b
-  | a == b = Nothing
+  | distance a b == 0 = Nothing
   | otherwise = Just (Axis a b)
 
 -- | An axis and a radius: a tube, a cylinder or a cone.
