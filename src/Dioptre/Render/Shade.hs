@@ -46,9 +46,13 @@ import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Packed, Point, Unit, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
+import Dioptre.Render.Closest (closest)
+import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
 import Dioptre.Render.Stage
+import Dioptre.Render.Surface (Surface (..), finishAt, surfaceAt)
+import Dioptre.Render.Surroundings (surroundings)
 import Dioptre.Render.Texture (texel)
-import Dioptre.Render.World (Obstacles (..), Surface (..), World, closest, finishAt, obstacles, surfaceAt, surroundings, worldHasMedia)
+import Dioptre.Render.World (World, worldHasMedia)
 import Linear.V3 (V3 (..))
 
 -- | What a ray sees.

@@ -19,8 +19,9 @@ import Dioptre.Math.Vector
 import Dioptre.Model.Library (noModels)
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Render.Stage
+import Dioptre.Render.Surface (finishAt)
 import Dioptre.Render.Texture (Texture (..), Upward (..))
-import Dioptre.Render.World (finishAt, worldHasMedia, worldHasPictures, worldSize)
+import Dioptre.Render.World (worldHasMedia, worldHasPictures, worldSize)
 import Dioptre.Scene.Raytracer (ReflexionAlgorithm (..))
 import Laws.Shade (sceneOf)
 import Linear.V3 (V3 (..))

@@ -23,6 +23,8 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere)
 import Dioptre.Geometry.Triangle (Corners (..), triangle)
 import Dioptre.Math.Transform (identity, transform)
+import Dioptre.Render.Closest (closest)
+import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.World
 import Laws.Closest
 import Laws.Mesh (meshOf)

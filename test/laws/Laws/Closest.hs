@@ -29,6 +29,8 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Light.Finish (finish, withPictures)
 import Dioptre.Light.Material (Material (..), standard, substitute)
 import Dioptre.Model.Library (noModels)
+import Dioptre.Render.Closest
+import Dioptre.Render.Surface
 import Dioptre.Render.World
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (defaultCamera, defaultViewport)

@@ -55,11 +55,14 @@ import Dioptre.Math.Vector
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..), noModels)
 import Dioptre.Render (rendered)
+import Dioptre.Render.Obstacles
 import Dioptre.Render.Row (Sampled (..), Work (..), colourAt, plan, planHeight, planWidth)
 import Dioptre.Render.Shade (Seen (..), look, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
+import Dioptre.Render.Surface
+import Dioptre.Render.Surroundings
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World
+import Dioptre.Render.World (Extent (..), World (..), world, worldHasMedia, worldOwn, worldSize)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), cameraSettings)
 import Dioptre.Scene.Primitive (Primitive (..))
