@@ -10,7 +10,7 @@ module Main
   )
 where
 
-import Control.Applicative (optional, some, (<|>))
+import Control.Applicative (many, optional, some, (<|>))
 import Control.Exception (SomeAsyncException, SomeException, fromException, handle, throwIO)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
@@ -18,18 +18,23 @@ import qualified Data.Text.IO as Text
 import Data.Version (showVersion)
 import Dioptre.Command.Check (Format (..), check)
 import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Conform (Trial (..), conform)
+import Dioptre.Command.Explain (explain)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
+import Dioptre.Command.Oracle (oracle)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (firstNumber, readConfiguration, run)
+import Dioptre.Conformance.Oracle (profiles)
+import Dioptre.Conformance.Suite (Selection (..))
 import Dioptre.Files.Number (PictureNumber)
 import Dioptre.Scene.Configuration (Configuration (..))
 import Dioptre.Source.Language (Language (..), fromLocale, inLanguage, languageNames)
-import Dioptre.Syntax.Value (integer)
+import Dioptre.Syntax.Value (integer, real)
 import GHC.Conc (getNumProcessors, setNumCapabilities)
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding)
 import GHC.IO.Exception (IOErrorType (ResourceVanished), ioe_type)
-import Options.Applicative hiding (info, optional, some, (<|>))
+import Options.Applicative hiding (info, many, optional, some, (<|>))
 import qualified Options.Applicative as Options
 import Paths_dioptre (version)
 import System.Environment (getArgs, getEnvironment)
@@ -54,8 +59,11 @@ data Work
   = Configured
   | Render (PictureNumber -> Options)
   | Check Format [FilePath]
+  | Explain Format FilePath Int Int
   | Compare FilePath FilePath
   | Info
+  | Oracle
+  | Conform Trial
 
 main :: IO ()
 main = do
@@ -79,8 +87,11 @@ main = do
       Configured -> run journal configuration
       Render options -> render journal (options first)
       Check format paths -> check journal format paths
+      Explain format path column row -> explain journal format path column row
       Compare a b -> compare journal a b
       Info -> ExitSuccess <$ Text.putStr (info l)
+      Oracle -> oracle (Text.pack (showVersion version))
+      Conform trial -> conform journal trial
 
 -- | The four numbers of @--crop@ as one argument, which is what the option parser can take.
 joinCrop :: [String] -> [String]
@@ -127,8 +138,11 @@ program l =
       subparser . mconcat $
         [ entry "render" (say "draw a scene" "dessiner une scène") (rendering <$> renderOptions),
           entry "check" (say "tell what is wrong with scenes, and draw nothing" "dire ce qui ne va pas dans des scènes, sans dessiner") (checking <$> settings <*> format <*> some scene),
+          entry "explain" (say "tell the story of one pixel: its ray, the shapes, the lights, the colour" "raconter l'histoire d'un pixel\xA0: son rayon, les formes, les lumières, la couleur") (explaining <$> settings <*> format <*> scene <*> place (say "COLUMN" "COLONNE") (say "from 0 at the left" "de 0, à gauche") <*> place (say "ROW" "LIGNE") (say "from 0 at the top" "de 0, en haut")),
           entry "compare" (say "compare two scenes or pictures, pixel by pixel" "comparer deux scènes ou images, pixel par pixel") (comparing <$> settings <*> path "A" <*> path "B"),
           entry "info" (say "list applications, words and defaults" "énumérer applications, mots et valeurs par défaut") ((`Command` Info) <$> settings),
+          entry "oracle" (say "answer the conformance protocol, a line for a line" "répondre au protocole de conformité, ligne par ligne") ((`Command` Oracle) <$> settings),
+          entry "conform" (say "run the conformance suite against a port, a program that answers the protocol" "soumettre un portage, un programme qui répond au protocole, à la suite de conformité") (conforming <$> settings <*> trial),
           metavar (say "COMMAND" "COMMANDE")
         ]
     entry name what parser = command name (Options.info (helpOption <*> parser) (progDesc what <> failureCode 2))
@@ -137,7 +151,11 @@ program l =
 
     rendering (s, make) = Command s (Render make)
     checking s f paths = Command s (Check f paths)
+    explaining s f path' column row = Command s (Explain f path' column row)
+    place name what = argument (atLeast 0) (metavar name <> help what)
     comparing s a b = Command s (Compare a b)
+
+    conforming s t = Command s (Conform t)
 
     settings =
       Settings
@@ -155,6 +173,18 @@ program l =
       Right [x, y, w, h] -> Right (x, y, w, h)
       _ -> Left (say "four integers: column, row, width, height" "quatre entiers\xA0: colonne, ligne, largeur, hauteur")
     strict = switch (long "strict" <> help (say "draw nothing if the scene has faults" "ne rien dessiner si la scène a des fautes"))
+
+    trial = Trial <$> selection <*> seconds <*> format <*> suite <*> path (say "COMMAND" "COMMANDE") <*> many (strArgument (metavar "ARGUMENT"))
+    selection =
+      Selection
+        <$> many (strOption (long "profile" <> metavar "P" <> help (say "only this profile (may be repeated)" "seulement ce profil (peut être répété)") <> completeWith (map (Text.unpack . fst) profiles)))
+        <*> optional (strOption (long "rule" <> metavar "R" <> help (say "only this rule, or the rules whose labels begin so" "seulement cette règle, ou celles dont le nom commence ainsi")))
+        <*> optional (strOption (long "case" <> metavar "C" <> help (say "only this case" "seulement ce cas")))
+    seconds = option positiveReal (long "timeout" <> metavar "S" <> value 10 <> help (say "seconds that the port may be silent (default: 10)" "secondes pendant lesquelles le portage peut se taire (par défaut\xA0: 10)"))
+    positiveReal = eitherReader $ \text -> case real (Text.pack text) of
+      Right x | x > 0 -> Right x
+      _ -> Left (say "a number greater than 0" "un nombre supérieur à 0")
+    suite = optional (strOption (long "suite" <> metavar (say "FOLDER" "DOSSIER") <> help (say "the folder of the suite (default: conformance here, or in the nearest folder around)" "le dossier de la suite (par défaut\xA0: conformance ici, ou dans le dossier le plus proche qui contient celui-ci)") <> action "directory"))
 
     scene = path "SCENE"
     path name = strArgument (metavar name <> action "file")

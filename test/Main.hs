@@ -5,22 +5,43 @@ module Main
 where
 
 import qualified Dioptre.Command.CommandSpec
+import qualified Dioptre.Command.ConformSpec
+import qualified Dioptre.Command.ExplainSpec
+import qualified Dioptre.Command.LoadSpec
+import qualified Dioptre.Conformance.CompareSpec
+import qualified Dioptre.Conformance.ExampleSpec
+import qualified Dioptre.Conformance.LinesSpec
+import qualified Dioptre.Conformance.OracleSpec
+import qualified Dioptre.Conformance.ProtocolSpec
+import qualified Dioptre.Conformance.RunnerSpec
+import qualified Dioptre.Conformance.SpecSpec
+import qualified Dioptre.Conformance.SuiteSpec
+import qualified Dioptre.Explain.JsonSpec
+import qualified Dioptre.Explain.OriginSpec
+import qualified Dioptre.Explain.PolynomialSpec
+import qualified Dioptre.Explain.TellSpec
+import qualified Dioptre.Explain.WordingSpec
 import qualified Dioptre.Files.CounterSpec
 import qualified Dioptre.Files.DescriptorSpec
 import qualified Dioptre.Files.FaultSpec
 import qualified Dioptre.Files.NumberSpec
+import qualified Dioptre.Files.PiecesSpec
 import qualified Dioptre.Files.SearchSpec
 import qualified Dioptre.Files.TemporarySpec
 import qualified Dioptre.Files.WholeSpec
 import qualified Dioptre.Geometry.BoundsSpec
 import qualified Dioptre.Geometry.CapSpec
+import qualified Dioptre.Geometry.ClosestSpec
 import qualified Dioptre.Geometry.ConeSpec
 import qualified Dioptre.Geometry.CubeSpec
 import qualified Dioptre.Geometry.CylinderSpec
 import qualified Dioptre.Geometry.DiskSpec
+import qualified Dioptre.Geometry.HierarchySpec
 import qualified Dioptre.Geometry.LensSpec
+import qualified Dioptre.Geometry.MeshSpec
 import qualified Dioptre.Geometry.PlacementSpec
 import qualified Dioptre.Geometry.PlaneSpec
+import qualified Dioptre.Geometry.PreparedMeshSpec
 import qualified Dioptre.Geometry.PreparedSpec
 import qualified Dioptre.Geometry.SphereSpec
 import qualified Dioptre.Geometry.TorusSpec
@@ -28,6 +49,7 @@ import qualified Dioptre.Geometry.TriangleSpec
 import qualified Dioptre.Geometry.TubeSpec
 import qualified Dioptre.Geometry.UvSpec
 import qualified Dioptre.Light.ColourSpec
+import qualified Dioptre.Light.FinishSpec
 import qualified Dioptre.Light.IlluminationSpec
 import qualified Dioptre.Light.LightSpec
 import qualified Dioptre.Light.MaterialSpec
@@ -37,6 +59,12 @@ import qualified Dioptre.Math.QuarticSpec
 import qualified Dioptre.Math.RootsSpec
 import qualified Dioptre.Math.TransformSpec
 import qualified Dioptre.Math.VectorSpec
+import qualified Dioptre.Model.AgpSpec
+import qualified Dioptre.Model.GrowingSpec
+import qualified Dioptre.Model.MsrSpec
+import qualified Dioptre.Model.MtlSpec
+import qualified Dioptre.Model.ObjSpec
+import qualified Dioptre.Model.SingleSpec
 import qualified Dioptre.Optics.ReflectionSpec
 import qualified Dioptre.Optics.RefractionSpec
 import qualified Dioptre.Picture.ByteSpec
@@ -87,22 +115,43 @@ specs :: Spec
 specs = do
   describe "The house" StructureSpec.spec
   describe "Dioptre.Command.Command" Dioptre.Command.CommandSpec.spec
+  describe "Dioptre.Command.Conform" Dioptre.Command.ConformSpec.spec
+  describe "Dioptre.Command.Explain" Dioptre.Command.ExplainSpec.spec
+  describe "Dioptre.Command.Load" Dioptre.Command.LoadSpec.spec
+  describe "Dioptre.Conformance.Compare" Dioptre.Conformance.CompareSpec.spec
+  describe "Dioptre.Conformance.Example" Dioptre.Conformance.ExampleSpec.spec
+  describe "Dioptre.Conformance.Lines" Dioptre.Conformance.LinesSpec.spec
+  describe "Dioptre.Conformance.Oracle" Dioptre.Conformance.OracleSpec.spec
+  describe "Dioptre.Conformance.Protocol" Dioptre.Conformance.ProtocolSpec.spec
+  describe "Dioptre.Conformance.Runner" Dioptre.Conformance.RunnerSpec.spec
+  describe "Dioptre.Conformance.Spec" Dioptre.Conformance.SpecSpec.spec
+  describe "Dioptre.Conformance.Suite" Dioptre.Conformance.SuiteSpec.spec
+  describe "Dioptre.Explain.Json" Dioptre.Explain.JsonSpec.spec
+  describe "Dioptre.Explain.Origin" Dioptre.Explain.OriginSpec.spec
+  describe "Dioptre.Explain.Polynomial" Dioptre.Explain.PolynomialSpec.spec
+  describe "Dioptre.Explain.Tell" Dioptre.Explain.TellSpec.spec
+  describe "Dioptre.Explain.Wording" Dioptre.Explain.WordingSpec.spec
   describe "Dioptre.Files.Counter" Dioptre.Files.CounterSpec.spec
   describe "Dioptre.Files.Descriptor" Dioptre.Files.DescriptorSpec.spec
   describe "Dioptre.Files.Fault" Dioptre.Files.FaultSpec.spec
   describe "Dioptre.Files.Number" Dioptre.Files.NumberSpec.spec
+  describe "Dioptre.Files.Pieces" Dioptre.Files.PiecesSpec.spec
   describe "Dioptre.Files.Search" Dioptre.Files.SearchSpec.spec
   describe "Dioptre.Files.Temporary" Dioptre.Files.TemporarySpec.spec
   describe "Dioptre.Files.Whole" Dioptre.Files.WholeSpec.spec
   describe "Dioptre.Geometry.Bounds" Dioptre.Geometry.BoundsSpec.spec
   describe "Dioptre.Geometry.Cap" Dioptre.Geometry.CapSpec.spec
+  describe "Dioptre.Geometry.Closest" Dioptre.Geometry.ClosestSpec.spec
   describe "Dioptre.Geometry.Cone" Dioptre.Geometry.ConeSpec.spec
   describe "Dioptre.Geometry.Cube" Dioptre.Geometry.CubeSpec.spec
   describe "Dioptre.Geometry.Cylinder" Dioptre.Geometry.CylinderSpec.spec
   describe "Dioptre.Geometry.Disk" Dioptre.Geometry.DiskSpec.spec
+  describe "Dioptre.Geometry.Hierarchy" Dioptre.Geometry.HierarchySpec.spec
   describe "Dioptre.Geometry.Lens" Dioptre.Geometry.LensSpec.spec
+  describe "Dioptre.Geometry.Mesh" Dioptre.Geometry.MeshSpec.spec
   describe "Dioptre.Geometry.Placement" Dioptre.Geometry.PlacementSpec.spec
   describe "Dioptre.Geometry.Plane" Dioptre.Geometry.PlaneSpec.spec
+  describe "Dioptre.Geometry.PreparedMesh" Dioptre.Geometry.PreparedMeshSpec.spec
   describe "Dioptre.Geometry.Prepared" Dioptre.Geometry.PreparedSpec.spec
   describe "Dioptre.Geometry.Sphere" Dioptre.Geometry.SphereSpec.spec
   describe "Dioptre.Geometry.Torus" Dioptre.Geometry.TorusSpec.spec
@@ -110,6 +159,7 @@ specs = do
   describe "Dioptre.Geometry.Tube" Dioptre.Geometry.TubeSpec.spec
   describe "Dioptre.Geometry.Uv" Dioptre.Geometry.UvSpec.spec
   describe "Dioptre.Light.Colour" Dioptre.Light.ColourSpec.spec
+  describe "Dioptre.Light.Finish" Dioptre.Light.FinishSpec.spec
   describe "Dioptre.Light.Illumination" Dioptre.Light.IlluminationSpec.spec
   describe "Dioptre.Light.Light" Dioptre.Light.LightSpec.spec
   describe "Dioptre.Light.Material" Dioptre.Light.MaterialSpec.spec
@@ -119,6 +169,12 @@ specs = do
   describe "Dioptre.Math.Roots" Dioptre.Math.RootsSpec.spec
   describe "Dioptre.Math.Transform" Dioptre.Math.TransformSpec.spec
   describe "Dioptre.Math.Vector" Dioptre.Math.VectorSpec.spec
+  describe "Dioptre.Model.Agp" Dioptre.Model.AgpSpec.spec
+  describe "Dioptre.Model.Growing" Dioptre.Model.GrowingSpec.spec
+  describe "Dioptre.Model.Msr" Dioptre.Model.MsrSpec.spec
+  describe "Dioptre.Model.Mtl" Dioptre.Model.MtlSpec.spec
+  describe "Dioptre.Model.Obj" Dioptre.Model.ObjSpec.spec
+  describe "Dioptre.Model.Single" Dioptre.Model.SingleSpec.spec
   describe "Dioptre.Optics.Reflection" Dioptre.Optics.ReflectionSpec.spec
   describe "Dioptre.Optics.Refraction" Dioptre.Optics.RefractionSpec.spec
   describe "Dioptre.Picture.Byte" Dioptre.Picture.ByteSpec.spec

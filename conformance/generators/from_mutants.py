@@ -86,6 +86,19 @@ def hit(rules, comment, flags, shape, o, d, compare):
     return case(rules, comment, flags, {"geometry": shape, "ray": {"origin": o, "direction": d}}, made, "exact" if made is None else compare, DECIMAL)
 
 
+def edges():
+    """Lines that touch an edge of a cube, of each direction, and have no other point in common with it."""
+    cube, made = {"kind": "cube", "position": [1, 2, 3], "size": 2}, []
+    for along, name in enumerate("xyz"):
+        first, second = ((along + 1) % 3, (along + 2) % 3)
+        for side in (1, -1):
+            o, d = [1.25, 2.25, 3.25], [0, 0, 0]
+            o[first], o[second] = cube["position"][first] + 2 * side, cube["position"][second]
+            d[first], d[second] = -side, 1
+            made.append(hit("geometry.cube.edges geometry.cube.normal", f"An edge along {name} is touched, {'above' if side > 0 else 'below'} in the next coordinate", "strict-comparison edge-order", cube, o, d, "abs:1e-14"))
+    return made
+
+
 def hits():
     loose = {"t": "abs:1e-8", "point": "abs:1e-8", "normal": "abs:1e-8", "uv": "abs:1e-8"}
     cap = {"kind": "spherical_cap", "ray": 3, "curvature": 5}
@@ -198,7 +211,7 @@ def flat_random():
 
 
 def operations():
-    return {"roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits(), "scene.check": checks(), "scene.pixel": many() + flat_random()}
+    return {"roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges(), "scene.check": checks(), "scene.pixel": many() + flat_random()}
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ import Dioptre.Geometry.Tube (tubeNormal, tubeParameters)
 import Dioptre.Geometry.Uv (coneUv, cubeUv, cylinderUv, diskUv, planeUv, sideUv, sphereUv, torusUv, triangleUv)
 import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Transform (inversePosition, transformNormal)
-import Dioptre.Math.Vector (Packed, Point, Unit, distance, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
+import Dioptre.Math.Vector (Packed, Point, Unit, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
 import GHC.Exts (build)
 import Linear.V2 (V2)
 import qualified Linear.Vector as Linear
@@ -135,7 +135,7 @@ onPlane :: Plane -> (Packed -> Packed -> Prepared) -> Maybe Prepared
 onPlane p make = make (packed (planePosition p)) . packedUnit <$> unit (planeNormal p)
 
 onAxis :: Round -> Maybe Axial
-onAxis r = (\s -> Axial (packed start) (packedUnit s) (distance start end) (roundRadius r)) <$> unit (end - start)
+onAxis r = (\s -> Axial (packed start) (packedUnit s) (axisLength (roundAxis r)) (roundRadius r)) <$> unit (end - start)
   where
     start = axisStart (roundAxis r)
     end = axisEnd (roundAxis r)

@@ -15,6 +15,7 @@ module Dioptre.Geometry.Round
   ( -- * Axes
     Axis,
     axis,
+    axisLength,
     axisStart,
     axisEnd,
 
@@ -44,7 +45,7 @@ where
 
 import Dioptre.Geometry.Disk (Disk, diskRadius)
 import Dioptre.Geometry.Plane (Plane)
-import Dioptre.Math.Vector (Point, distance)
+import Dioptre.Math.Vector (Point, distance, modulus)
 
 -- | A segment between two different points.
 data Axis = Axis
@@ -55,11 +56,21 @@ data Axis = Axis
   }
   deriving stock (Eq, Show)
 
--- | The axis from one point to another; 'Nothing' if they are equal, or so near that their distance, as it is computed, is 0 (which takes less than 1e-161).
+-- | The axis from one point to another; 'Nothing' if they are equal.
 axis :: Point -> Point -> Maybe Axis
 axis a b
-  | distance a b == 0 = Nothing
+  | a == b = Nothing
   | otherwise = Just (Axis a b)
+
+-- | The length of an axis, H, which is not zero: where the points are so near that the squares of their differences vanish (below 1e-154), those are scaled by a power of two first.
+axisLength :: Axis -> Double
+axisLength (Axis a b)
+  | size > 1e-140 = distance a b
+  | otherwise = scaleFloat e (modulus (scaleFloat (negate e) <$> between))
+  where
+    between = b - a
+    size = maximum (abs <$> between)
+    e = exponent size
 
 -- | An axis and a radius: a tube, a cylinder or a cone.
 data Round = Round

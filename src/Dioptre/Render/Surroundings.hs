@@ -1,4 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 

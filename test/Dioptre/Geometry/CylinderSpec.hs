@@ -5,6 +5,7 @@ module Dioptre.Geometry.CylinderSpec (spec) where
 
 import Dioptre.Geometry.Cylinder
 import Dioptre.Geometry.Ray (ray)
+import Dioptre.Geometry.Round (axis, axisLength)
 import Dioptre.Math.Vector (alongX, alongZ, opposite)
 import Laws.Round
 import Linear.V3 (V3 (..))
@@ -13,6 +14,11 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 
 spec :: Spec
 spec = do
+  describe "axisLength" $
+    -- The square of 1e-170 is zero, as it is computed.
+    it "is the distance, however near the points are" $
+      map (\x -> axisLength <$> axis 0 (V3 0 0 x)) [0, 1e-300, 1e-170, 1e-120, 1, 1e100] `shouldBe` [Nothing, Just 1e-300, Just 1e-170, Just 1e-120, Just 1, Just 1e100]
+
   describe "cylinderParameters" $ do
     it "goes through the side" $ upright (V3 (-3) 0 1) (V3 1 0 0) `shouldBe` [2, 4]
     it "goes through both ends" $ upright (V3 0.5 0 5) (V3 0 0 (-1)) `shouldBe` [3, 5]

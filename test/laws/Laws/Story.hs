@@ -1,0 +1,364 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Module      : Laws.Story
+-- Description : What is true of the stories of pixels
+--
+-- A story must tell what the renderer does, to the bit; and what it tells must hold by itself: roots solve the equations beside them, terms follow from the distances, angles and
+-- filters beside them, parts make the sum.
+module Laws.Story
+  ( -- * What the laws are tried with
+    Pictured (..),
+    picturedCorners,
+
+    -- * The renderer's numbers
+    colourIsTheRenderers,
+    coloursOfModelsAreTheRenderers,
+    coloursOfSketchesAreTheRenderers,
+    asManyRaysAsCast,
+
+    -- * Shapes
+    shapesAreTheWorlds,
+    parametersAreRoots,
+    rootsSolve,
+    verdictsAccountForTheHit,
+
+    -- * Light
+    sharesAreTheSum,
+    sharesFollowFromTheirWays,
+    bouncesObeyTheLaws,
+
+    -- * Parts of stories
+    raysOf,
+  )
+where
+
+import Data.Bifunctor (bimap)
+import Data.List (foldl')
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import qualified Data.Vector.Storable as Storable
+import Dioptre.Explain.Origin (Found (..), directory, find)
+import Dioptre.Explain.Polynomial (Candidate (..), equationOf)
+import Dioptre.Explain.Story
+import Dioptre.Explain.Tell (tell)
+import Dioptre.Geometry.Prepared (parameters, placedIn, prepare)
+import Dioptre.Geometry.Ray (direction, origin)
+import Dioptre.Light.Colour (Colour (..), black, plus)
+import Dioptre.Light.Material (Material (..), Textures (..))
+import Dioptre.Math.Vector (dot, vector, (*^))
+import Dioptre.Model.Library (Library, noModels)
+import Dioptre.Picture (picture)
+import Dioptre.Picture.Byte (Pixel (..))
+import Dioptre.Render.Row (Row (..), Sampled (..), Work (..), colourAt, plan, row)
+import Dioptre.Render.Shade (Colours (..), Way (..))
+import Dioptre.Render.Surface (Surface (..), surfaceAt)
+import Dioptre.Render.Texture (Assets, Texture)
+import Dioptre.Render.World (world, worldSize)
+import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene.Camera (CameraSettings (..), camera, cameraSettings, viewport, viewportHeight, viewportWidth)
+import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
+import Laws.Shade (Small (..), setAlgorithm)
+import Laws.Sketch (Sketch (..), sketchScene)
+import Laws.World (Modelled (..))
+import Linear.V3 (V3 (..))
+import Test.QuickCheck hiding (Small, vector)
+
+-- | A scene with pictures, and a pixel of it.
+data Pictured = Pictured Scene Assets Int Int
+
+instance Show Pictured where
+  show (Pictured scene _ x y) = show (x, y) <> "\n" <> show (writeScene scene)
+
+instance Arbitrary Pictured where
+  arbitrary = do
+    Small scene0 r <- arbitrary
+    noLight <- frequency [(5, pure False), (1, pure True)]
+    papered <- arbitrary
+    names <- vectorOf (length (sceneMaterials scene0)) (Textures <$> elements ["p", "none"] <*> elements ["p", "q"] <*> elements ["q", "none"])
+    n <- elements [1, 1, 2, 3]
+    coordinate <- elements [minBound .. maxBound]
+    normalization <- elements [minBound .. maxBound]
+    size <- (,) <$> chooseInt (1, 4) <*> chooseInt (1, 4)
+    bytes <- vectorOf 16 arbitrary
+    away <- elements [0.5, 1, 3]
+    let scene1 = (if noLight then setAlgorithm NoLight else id) scene0
+        tracer = (sceneRaytracer scene1) {raytracerSampling = n, raytracerPixelCoordinate = coordinate, raytracerColourNormalization = normalization}
+        settings up = (cameraSettings (sceneCamera scene1)) {settingPosition = origin r - away *^ direction r, settingLookAt = origin r + direction r, settingUp = up, settingAngle = 10}
+        cameras = [c | up <- [V3 0 0 1, V3 0 1 0, V3 1 0 0], Right c <- [camera (settings up)]]
+        assets = Map.fromList [("p", picture 2 (Storable.fromList bytes)), ("q", picture 4 (Storable.fromList (reverse bytes)))]
+    case (cameras, uncurry viewport size "image") of
+      (c : _, Right port) ->
+        Pictured
+          scene1
+            { sceneRaytracer = tracer,
+              sceneCamera = c,
+              sceneViewport = port,
+              sceneMaterials = if papered then zipWith (\t m -> m {materialTextures = Just t}) names (sceneMaterials scene1) else sceneMaterials scene1
+            }
+          assets
+          <$> chooseInt (0, fst size - 1)
+          <*> chooseInt (0, snd size - 1)
+      _ -> arbitrary
+
+-- | What the examples hold.
+picturedCorners :: Pictured -> [(String, Bool)]
+picturedCorners p =
+  [ ("a ray is thrown back", or [True | r <- rays, rayCause r == ByReflection]),
+    ("a ray passes", or [True | r <- rays, rayCause r == ByRefraction]),
+    ("total reflection", or [True | h <- hits, Bounce {bounceSequel = NotFollowed TotalReflection} <- hitBounces h]),
+    ("a shadow", or [True | s <- shares, InShadow _ (Just _) <- [shareArrival s]]),
+    ("a tinted light", or [True | s <- shares, Arrives _ (Tinted {}) _ <- [shareArrival s]]),
+    ("a picture", any hitHasPicture hits),
+    ("several samples", length (storySamples story) > 1),
+    ("no light", or [True | h <- hits, Nothing <- [hitShares h]]),
+    ("nothing is met", or [True | r <- rays, Nothing <- [rayHit r]])
+  ]
+  where
+    story = storyOf p
+    rays = concatMap (raysOf . sampleRay) (storySamples story)
+    hits = [h | r <- rays, Just h <- [rayHit r]]
+    shares = concat [s | h <- hits, Just s <- [hitShares h]]
+
+storyOf :: Pictured -> Story
+storyOf (Pictured scene assets x y) = told assets noModels scene x y
+
+told :: Assets -> Library Texture -> Scene -> Int -> Int -> Story
+told assets library scene x y = case tell assets [] library scene x y of
+  Just story -> story
+  Nothing -> error "no such pixel"
+
+-- | A ray and all that come from it, in the order in which they are followed.
+raysOf :: RayStory -> [RayStory]
+raysOf story = from story []
+  where
+    from r rest = r : foldr from rest [next | Just h <- [rayHit r], Bounce {bounceSequel = Followed _ next} <- hitBounces h]
+
+-------------------------------------------------------------------------------
+-- The renderer's numbers
+
+sameColour :: Assets -> Library Texture -> Scene -> Int -> Int -> Property
+sameColour assets library scene x y =
+  storyColour story === colour
+    .&&. Storable.toList (Storable.slice (4 * x) 4 (rowBytes (row p y))) === (let Pixel r g b a = storyPixel story in [r, g, b, a])
+  where
+    story = told assets library scene x y
+    p = plan assets library scene
+    Sampled colour _ = colourAt p x y
+
+-- | The colour of a story is that of the renderer, bit for bit, and so are its bytes: through mirrors and glass, with pictures, with several rays a pixel.
+colourIsTheRenderers :: Pictured -> Property
+colourIsTheRenderers (Pictured scene assets x y) = sameColour assets noModels scene x y
+
+-- | The same in scenes with models.
+coloursOfModelsAreTheRenderers :: Modelled -> Property
+coloursOfModelsAreTheRenderers (Modelled scene library _ _) =
+  forAll ((,) <$> chooseInt (0, viewportWidth (sceneViewport scene) - 1) <*> chooseInt (0, viewportHeight (sceneViewport scene) - 1)) (uncurry (sameColour mempty library scene))
+
+-- | The same for sketches, every pixel, and there is no story outside of the picture.
+coloursOfSketchesAreTheRenderers :: Sketch -> Property
+coloursOfSketchesAreTheRenderers unlit = forAll arbitrary $ \lit ->
+  let scene = sketchScene unlit {sketchIsLit = lit}
+      (w, h) = sketchSize unlit
+      exists x y = isJust (tell mempty [] noModels scene x y)
+   in conjoin [sameColour mempty noModels scene x y | x <- [0, w - 1], y <- [0 .. h - 1]]
+        .&&. [(x, y) | (x, y) <- [(-1, 0), (0, -1), (w, 0), (0, h), (0, 0), (w - 1, h - 1)], exists x y] === [(0, 0), (w - 1, h - 1)]
+
+-- | As many rays are told, shadow rays among them, as the renderer casts, and it is told whether more were wanted.
+asManyRaysAsCast :: Pictured -> Property
+asManyRaysAsCast p@(Pictured scene assets x y) =
+  (sum (map sampleFollowed samples) + length shadowRays, length (filter sampleCut samples)) === (rays, cut)
+    .&&. map (length . raysOf . sampleRay) samples === map sampleFollowed samples
+  where
+    samples = storySamples (storyOf p)
+    shadowRays = [() | s <- samples, r <- raysOf (sampleRay s), Just h <- [rayHit r], Just shares <- [hitShares h], share <- shares, casts (shareArrival share)]
+    casts arrival = case arrival of
+      InShadow _ _ -> True
+      Arrives {} -> True
+      _ -> False
+    Sampled _ (Work rays _ cut) = colourAt (plan assets noModels scene) x y
+
+-------------------------------------------------------------------------------
+-- Shapes
+
+-- | What is found under a number is what the world has there: whatever has no number there is not found, and a ray meets both at the same parameters, to the bit. (Corners' normals may be made unit once or
+-- twice.)
+shapesAreTheWorlds :: Modelled -> Property
+shapesAreTheWorlds (Modelled scene library r _) =
+  [parameters (foldr placedIn shape (foundFrames f)) r | Just f <- founds, Just shape <- [prepare (foundShape f)]] === [parameters shape r | Just (Surface shape _) <- map (surfaceAt w) [0 .. worldSize w - 1]]
+    .&&. [thingNumber (foundThing f) | Just f <- founds] === [0 .. worldSize w - 1]
+    .&&. map (fmap foundThing . find shapes) [-1, worldSize w] === [Nothing, Nothing]
+  where
+    w = world mempty library scene
+    shapes = directory [] library scene
+    founds = map (find shapes) [0 .. worldSize w - 1]
+
+-- | Every parameter at which the renderer meets a shape is a root of one of its conditions, to the bit.
+parametersAreRoots :: Modelled -> Property
+parametersAreRoots (Modelled scene library r _) =
+  conjoin
+    [ counterexample (show (thingKind (foundThing f), ts)) (all (`elem` [t | Candidate t _ _ <- snd (equationOf (foundFrames f) (foundShape f) r)]) ts)
+      | n <- [0 .. worldSize w - 1],
+        Just f <- [find shapes n],
+        Just (Surface shape _) <- [surfaceAt w n],
+        let ts = parameters shape r
+    ]
+  where
+    w = world mempty library scene
+    shapes = directory [] library scene
+
+-- | Every root that is told solves the condition that it is told with, to rounding.
+--
+-- A root of the second degree is within 4 units of the exact one, so that the residual is within 8 2^-53 of the sum of the absolute terms, each times its degree; the product with the shift and
+-- scale, and the sum with t0, add three roundings of the numbers there, which the slope multiplies. Roots of the fourth degree have residuals of some 2^-48.
+rootsSolve :: Modelled -> Property
+rootsSolve (Modelled scene library r _) =
+  conjoin
+    [ counterexample (show (thingKind (foundThing f), t, equationConditions equation !! i)) (solves equation (equationConditions equation !! i) t)
+      | n <- [0 .. worldSize w - 1],
+        Just f <- [find shapes n],
+        let (equation, candidates) = equationOf (foundFrames f) (foundShape f) r,
+        Candidate t i _ <- candidates
+    ]
+  where
+    w = world mempty library scene
+    shapes = directory [] library scene
+
+solves :: Equation -> Condition -> Double -> Bool
+solves equation condition t = case condition of
+  PolynomialIsZero _ coefficients _ _ shift ->
+    let s = toRational t / k - t0 - toRational shift
+        slack = u * 4 * (abs (toRational t / k) + abs t0 + abs (toRational shift))
+        terms = zip [length coefficients - 1, length coefficients - 2 ..] [toRational c | Coefficient _ _ c <- coefficients]
+        residual = abs (sum [c * s ^ i | (i, c) <- terms])
+        size = sum [fromIntegral (i + 1) * abs c * abs s ^ i | (i, c) <- terms]
+        slope = sum [fromIntegral i * abs c * (abs s + slack) ^ (i - 1) | (i, c) <- terms, i > 0]
+     in residual <= (if length coefficients > 3 then 64 else 8) * u * size + slope * slack
+  LiesBetween _ (Coefficient _ _ a) (Coefficient _ _ b) low high ->
+    let s = toRational t / k - t0
+        slack = u * 4 * (abs (toRational t / k) + abs t0)
+        at = toRational b + toRational a * s
+     in or [abs (at - toRational bound) <= 8 * u * (abs (toRational b) + abs (toRational bound)) + abs (toRational a) * slack | bound <- [low, high]]
+  PassesNear _ _ -> False
+  where
+    (t0, k) = maybe (0, 1) (bimap toRational toRational) (equationMoved equation)
+    u = 1 / 2 ^ (53 :: Int)
+
+-- | The shape that is hit is the one told as the closest, at its kept root; no other kept root is nearer; every fate and verdict is what its numbers say; and every shape is accounted for.
+verdictsAccountForTheHit :: Pictured -> Property
+verdictsAccountForTheHit p = conjoin (map ofRay (concatMap (raysOf . sampleRay) (storySamples story)))
+  where
+    story = storyOf p
+    far = storyFar story
+    ofRay r =
+      [(encounterThing e, t) | e <- rayEncounters r, Meets t IsClosest <- [encounterVerdict e]] === [(hitThing h, hitParameter h) | Just h <- [rayHit r]]
+        .&&. counterexample "nearest" (and [(hitParameter h, thingNumber (hitThing h)) <= (t, thingNumber (encounterThing e)) | Just h <- [rayHit r], e <- rayEncounters r, Meets t _ <- [encounterVerdict e]])
+        .&&. conjoin [counterexample (show (encounterThing e, encounterVerdict e, encounterRoots e)) (consistent e) | e <- rayEncounters r]
+        .&&. length (rayEncounters r) + rayPassed r + rayUntold r === storyShapes story
+    consistent e = all fateHolds (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
+    fateHolds (Root t _ measure fate) =
+      measureHolds (fate /= Outside) measure && case fate of
+        Taken -> t > 1e-8 && t < far
+        Later -> t > 1e-8
+        Behind -> t < 0
+        TooNear -> 0 <= t && t <= 1e-8
+        BeyondFar -> t >= far
+        Outside -> True
+    -- The coordinates in a triangle are computed apart from its edges, and differ at one by a rounding.
+    measureHolds isOnShape measure = case measure of
+      AwayFromCentre away radius -> isOnShape == (away <= radius)
+      Barycentric t1 t2
+        | isOnShape -> minimum [t1, t2, 1 - t1 - t2] >= -1e-9
+        | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= 1e-9
+      AtHeight height len -> isOnShape == (0 <= height && height <= len)
+      InTheHole away radius -> not isOnShape && away < radius
+      SideOfDisk -> True
+      OtherConditions -> True
+    verdictHolds verdict roots = case verdict of
+      Meets t _ -> all ((== t) . fst) (filter ((== Taken) . snd) roots) && (t, Taken) `elem` roots && and [x > t | (x, Later) <- roots]
+      Misses miss ->
+        Taken `notElem` map snd roots && case miss of
+          Parallel -> null roots
+          NoRoot -> null roots
+          NotOnShape -> not (null roots) && and [False | (_, fate) <- roots, isOn fate]
+          IsBehind -> Behind `elem` map snd roots && all (`elem` [Behind]) (filter isOn (map snd roots))
+          IsTooNear -> TooNear `elem` map snd roots && BeyondFar `notElem` map snd roots
+          IsBeyondFar -> BeyondFar `elem` map snd roots
+    isOn fate = case fate of
+      Outside -> False
+      _ -> True
+
+-------------------------------------------------------------------------------
+-- Light
+
+-- | The lights' shares, in their order, add up to what comes back from the hit, exactly; and the rays' contributions, in their order, to the sample.
+sharesAreTheSum :: Pictured -> Property
+sharesAreTheSum p = conjoin (map ofSample (storySamples (storyOf p)))
+  where
+    ofSample s =
+      let rays = raysOf (sampleRay s)
+       in conjoin [rayOwnColour r === foldl' plus black (map shareTotal shares) | r <- rays, Just h <- [rayHit r], Just shares <- [hitShares h]]
+            .&&. ( case rayHit (sampleRay s) >>= hitShares of
+                     Nothing -> sampleColour s === rayOwnColour (sampleRay s)
+                     Just _ -> sampleColour s === foldl' plus black (map rayContribution rays)
+                 )
+            .&&. conjoin [close (three (rayContribution r)) (zipWith (*) (weights r) (three (rayOwnColour r))) | r <- rays]
+    weights r = let (x, y, z) = rayWeight r in [x, y, z]
+
+-- | The terms of a share follow from what is told of its way by the formulas of the textbook, and add up to the share, to rounding; what does not arrive gives nothing.
+sharesFollowFromTheirWays :: Pictured -> Property
+sharesFollowFromTheirWays p =
+  conjoin
+    [ counterexample (show (shareArrival s, shareTerms s, shareTotal s)) (ofShare (rayItself r) h s)
+      | looked <- storySamples (storyOf p),
+        r <- raysOf (sampleRay looked),
+        Just h <- [rayHit r],
+        Just shares <- [hitShares h],
+        s <- shares
+    ]
+  where
+    ofShare r h s = case shareArrival s of
+      FromAllSides -> close (three (shareTotal s)) (zipWith (*) (three (shareColour s)) (three (ambientOf (hitColours h)))) .&&. addUp s
+      Arrives way open _ -> addUp s .&&. conjoin [ofTerm r h s way open term c | (term, c) <- shareTerms s] .&&. cosineIs h way
+      FacesAway way -> nothing s .&&. cosineIs h way .&&. property (approachCosine way <= 0)
+      InShadow way by -> nothing s .&&. cosineIs h way .&&. property (maybe True (\(_, t) -> t > 1e-8 && maybe True (t <) (approachDistance way)) by)
+      LeftOut -> nothing s
+      Nowhere -> nothing s
+    nothing s = (shareTerms s, three (shareTotal s)) === ([], [0, 0, 0])
+    cosineIs h way = close [approachCosine way + 2] [2 - dot (vector (hitNormal h)) (approachDirection way)]
+    addUp s = close (three (shareTotal s)) (foldr (zipWith (+) . three . snd) [0, 0, 0] (shareTerms s))
+    ofTerm r h s way open term c = case term of
+      DiffuseTerm -> close (three c) (map (* (approachFactor way * approachCosine way)) (zipWith (*) light (three (diffuseOf (hitColours h)))))
+      -- Half way between light and viewer, or mirrored light and viewer; the power costs its exponent in roundings.
+      BlinnTerm -> highlight (let b = negate (direction r) - approachDirection way in dot n b / sqrt (dot b b))
+      PhongTerm -> highlight (negate (dot (approachDirection way) (direction r)) + 2 * dot (approachDirection way) n * dot n (direction r))
+      _ -> property True
+      where
+        n = vector (hitNormal h)
+        light = if all (< 1e-10) filtered then [0, 0, 0] else filtered
+        filtered = zipWith (*) (three (shareColour s)) (case open of Tinted x y z -> [x, y, z]; _ -> [1, 1, 1])
+        shine = shininessOf (hitColours h)
+        highlight x
+          | isNaN x || abs x < 1e-12 = property True
+          | otherwise = near 1e-10 (three c) (map (* (approachFactor way * (if x < 0 then 0 else x ** shine))) (zipWith (*) light (three (specularOf (hitColours h)))))
+
+-- | What is thrown back leaves at the angle at which it came, and what passes obeys Snell's law, n1 sin a1 = n2 sin a2; nothing passes where n1 sin a1 > n2.
+bouncesObeyTheLaws :: Pictured -> Property
+bouncesObeyTheLaws p = conjoin [counterexample (show (bounceKind b, bounceAngleIn b)) (ofBounce b) | s <- storySamples (storyOf p), r <- raysOf (sampleRay s), Just h <- [rayHit r], b <- hitBounces h]
+  where
+    ofBounce b = case (bounceKind b, bounceSequel b) of
+      (Reflection, Followed out next) -> near 1e-12 [out + 1] [bounceAngleIn b + 1] .&&. rayCause next === ByReflection
+      (Refraction n1 n2 _, Followed out next) -> near 1e-12 [n1 * sin (bounceAngleIn b) + 1] [n2 * sin out + 1] .&&. rayCause next === ByRefraction .&&. rayIndex next === n2
+      (Refraction n1 n2 _, NotFollowed TotalReflection) -> property (n1 * sin (bounceAngleIn b) >= n2 * (1 - 1e-12))
+      (Reflection, NotFollowed o) -> property (o `elem` [DepthReached, TooManyRays])
+      (Refraction {}, NotFollowed _) -> property True
+
+three :: Colour -> [Double]
+three (Colour r g b _) = [r, g, b]
+
+-- | Equal but for some roundings, none of which cancel.
+close :: [Double] -> [Double] -> Property
+close = near 1e-13
+
+near :: Double -> [Double] -> [Double] -> Property
+near bound xs ys = counterexample (show xs <> " is not " <> show ys) (length xs == length ys && and (zipWith (\x y -> abs (x - y) <= bound * abs y + 1e-300) xs ys))
