@@ -4,6 +4,8 @@ Each adds to the cases of its operation, behind those of the other generators. E
 the shapes of `solids` and the pixels of `light_pixels` in decimals.
 """
 
+import math
+import random
 import sys
 
 sys.dont_write_bytecode = True
@@ -16,7 +18,7 @@ import roots_maths  # noqa: E402
 import solids  # noqa: E402
 from camera_rays import uniform  # noqa: E402
 from light_pixels import AMBIENT, NOON, PLANE, SUN, scene  # noqa: E402
-from suite import CLOSED, DECIMAL, EXACT, HAND, case, main, nearest, next_up  # noqa: E402
+from suite import CLOSED, DECIMAL, EXACT, HAND, ORDERED, case, main, nearest, next_up  # noqa: E402
 
 LAST = True  # behind the other generators
 
@@ -84,6 +86,36 @@ def far_cones():
 def hit(rules, comment, flags, shape, o, d, compare):
     made = solids.rounded(solids.hit(shape, {"origin": o, "direction": d}))
     return case(rules, comment, flags, {"geometry": shape, "ray": {"origin": o, "direction": d}}, made, "exact" if made is None else compare, DECIMAL)
+
+
+def ordered_barycentric(p0, p1, p2, v):
+    """The coordinates by geometry.triangle.barycentric or geometry.triangle.needle, each operation in binary64 and in the order of the rule; and whether the triangle is a needle."""
+    minus = lambda a, b: [x - y for x, y in zip(a, b)]
+    dot = lambda a, b: (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+    cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    w, s1, s2 = minus(v, p0), minus(p1, p0), minus(p2, p0)
+    whole = dot(s1, s1) * dot(s2, s2) - dot(s1, s2) * dot(s1, s2)
+    if whole > 2.0**-20 * (dot(s1, s1) * dot(s2, s2)):
+        return [(dot(w, s1) * dot(s2, s2) - dot(w, s2) * dot(s1, s2)) / whole, (dot(w, s2) * dot(s1, s1) - dot(w, s1) * dot(s1, s2)) / whole], False
+    powers = [math.frexp(max(map(abs, a)))[1] for a in (w, s1, s2)]
+    w, s1, s2 = ([math.ldexp(x, -k) for x in a] for a, k in zip((w, s1, s2), powers))
+    n = cross(s1, s2)
+    return [math.ldexp(dot(cross(w, s2), n) / dot(n, n), powers[0] - powers[1]), math.ldexp(dot(cross(s1, w), n) / dot(n, n), powers[0] - powers[2])], True
+
+
+def needles():
+    """Triangles on both sides of the bound of geometry.triangle.needle, with digits enough to tell one way of computing from the other."""
+    chance, made = random.Random(51), []
+    for size in (1.0, 2.0**15, 2.0**-15):
+        for angle in (2.0**-2, 2.0**-9.5, 2.0**-10.5, 2.0**-15):
+            p0, along, off = ([chance.uniform(-1, 1) for _ in range(3)] for _ in range(3))
+            p1, p2 = ([(x + (1 + k) * y + k * angle * z) * size for x, y, z in zip(p0, along, off)] for k in (0, 1))
+            p0 = [x * size for x in p0]
+            t1, t2 = chance.uniform(0, 0.5), chance.uniform(0, 0.5)
+            v = [a + t1 * (b - a) + t2 * (c - a) for a, b, c in zip(p0, p1, p2)]
+            ok, needle = ordered_barycentric(p0, p1, p2, v)
+            made.append(case("geometry.triangle.barycentric geometry.triangle.needle", f"{'A needle' if needle else 'No needle'}: an angle of some {angle:.1g}, edges of some {size:.1g}", "threshold order", {"points": [p0, p1, p2], "point": v}, ok, source=ORDERED))
+    return made
 
 
 def edges():
@@ -198,6 +230,26 @@ def many():
     return made
 
 
+def open_glass():
+    """Transparent shapes that are not closed: no ray goes on behind them."""
+    glass, wall = {"color": [1, 1, 1], "ka": 0, "kd": 0, "ks": 0, "kt": 1}, {"kind": "plane", "position": [0, 0, 20]}
+    corners = [[-2, -2, 3], [2, -2, 3], [0.25, 3, 3]]
+    made = []
+    for shape in (
+        {"kind": "plane", "position": [0, 0, 3]},
+        {"kind": "disk", "position": [0, 0, 3], "ray": 1},
+        {"kind": "annulus", "position": [0, 0.75, 3], "ray": 1, "inner_ray": 0.25},
+        {"kind": "triangle", "point": corners},
+        {"kind": "btriangle", "point": corners},
+        {"kind": "tube", "point": [[-2, 0, 4], [2, 0, 4]], "ray": 1},
+        {"kind": "spherical_cap", "position": [0, 0, 3], "ray": 1, "curvature": 2},
+        {"kind": "geometry", "scale": [2, 2, 2], "geometry": {"kind": "btriangle", "point": [[x / 2 for x in corner] for corner in corners]}},
+    ):
+        given = scene([("g", shape), ("m", wall)], {"g": glass, "m": {"color": [0.5, 0.25, 1], "ka": 1, "kd": 0, "ks": 0}}, [AMBIENT], raytracer={"recursive_level": 3})
+        made.append(pixel("optics.body.closed", f"A transparent {shape['kind']} is not a body", "closed", given, [0, 0, 0]))
+    return made
+
+
 def flat_random():
     """Without light, a random point of each pixel: column and row of it are two numbers, not one. A cube fills the half of the picture above the middle."""
     made = []
@@ -211,7 +263,7 @@ def flat_random():
 
 
 def operations():
-    return {"roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges(), "scene.check": checks(), "scene.pixel": many() + flat_random()}
+    return {"roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges(), "scene.check": checks(), "triangle.barycentric": needles(), "scene.pixel": many() + open_glass() + flat_random()}
 
 
 if __name__ == "__main__":
