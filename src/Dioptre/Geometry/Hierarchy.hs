@@ -37,6 +37,7 @@ module Dioptre.Geometry.Hierarchy
     hierarchyNodes,
     hierarchyDepth,
     hierarchyBox,
+    hierarchyLeaves,
 
     -- * Following a ray
     descend,
@@ -77,6 +78,10 @@ hierarchyBox h
   where
     face = faceOf h 0
 
+-- | The places of each leaf: the first, and the one behind the last.
+hierarchyLeaves :: Hierarchy -> [(Int, Int)]
+hierarchyLeaves h = [placesOf link | node <- [0 .. hierarchyNodes h - 1], let link = linkOf h node, isLeaf link]
+
 -- | One of the six numbers of a node.
 faceOf :: Hierarchy -> Int -> Int -> Double
 faceOf h node k = indexByteArray (nodes h) (8 * node + k)
@@ -106,6 +111,11 @@ leafLink place n = (place `shiftL` 32) .|. (n `shiftL` 1) .|. 1
 forkLink :: Int -> Int -> Int
 forkLink ahead coordinate = (ahead `shiftL` 3) .|. (coordinate `shiftL` 1)
 
+-- | The places of a leaf.
+placesOf :: Int -> (Int, Int)
+placesOf link = let place = link `shiftR` 32 in (place, place + ((link `shiftR` 1) .&. 0x7fffffff))
+{-# INLINE placesOf #-}
+
 isLeaf :: Int -> Bool
 isLeaf link = link .&. 1 == 1
 {-# INLINE isLeaf #-}
@@ -134,10 +144,9 @@ descend h a far range found0
     visit !node !trail !reach found !tried
       | not (meets a (faceOf h node) reach) = onward node trail reach found tried
       | isLeaf link =
-        let !place = link `shiftR` 32
-            !n = (link `shiftR` 1) .&. 0x7fffffff
-            !found' = range place (place + n) found
-         in onward node trail (far found') found' (tried + n)
+        let !(!place, !end) = placesOf link
+            !found' = range place end found
+         in onward node trail (far found') found' (tried + end - place)
       | otherwise = visit (node + (if runsDown a ((link `shiftR` 1) .&. 3) then link `shiftR` 3 else 1)) ((trail `shiftL` 1) .|. 1) reach found tried
       where
         !link = linkOf h node

@@ -25,14 +25,19 @@ module Dioptre.Geometry.PreparedMesh
 where
 
 import Control.Monad (forM_)
+import Data.Foldable (foldl', toList)
 import Data.Int (Int32)
+import Data.IntMap.Strict (IntMap)
+import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as Vector
 import Dioptre.Geometry.Bounds (approach)
 import qualified Dioptre.Geometry.Bounds as Bounds
 import Dioptre.Geometry.Closest (Closest (..), tried, within)
-import Dioptre.Geometry.Hierarchy (Hierarchy, Tried (..), descend, hierarchy, hierarchyOrder)
+import Dioptre.Geometry.Hierarchy (Hierarchy, Tried (..), descend, hierarchy, hierarchyLeaves, hierarchyOrder)
 import Dioptre.Geometry.Mesh
 import Dioptre.Geometry.Plane (planeParameters)
 import Dioptre.Geometry.Prepared (Prepared, ofSmoothTriangle, ofTriangle)
@@ -54,37 +59,65 @@ data PreparedMesh = PreparedMesh
     cornersAt :: !(PrimArray Double),
     -- | Three numbers for each place.
     normalsAt :: !(PrimArray Double),
-    -- | The place of each triangle.
+    -- | The triangle at each place.
+    numberAt :: !(PrimArray Int32),
+    -- | The place of each triangle, or of the one before it that has the same corners.
     placeOf :: !(PrimArray Int32)
   }
   deriving stock (Eq, Show)
 
--- | A mesh made ready. Cost: that of its 'hierarchy', and 100 bytes a triangle.
+-- | A mesh made ready. Cost: that of its 'hierarchy', and 104 bytes a triangle.
+--
+-- Where a leaf is crowded because many triangles are one and the same, only the first of them is kept: it is the one that is met. (A file may name a face a million times.)
 prepareMesh :: Mesh -> PreparedMesh
-prepareMesh m = PreparedMesh m h corners normals places
+prepareMesh m = PreparedMesh m h corners normals numbers places
   where
-    h = hierarchy (meshSize m) (\i -> let Corners a b c = meshTriangle m i in Just (Bounds.ofTriangle a b c))
-    order = hierarchyOrder h
+    everything = generatePrimArray (meshSize m) id
+    crowd = crowded (over everything)
+    kept
+      | sizeofPrimArray crowd == 0 = everything
+      | otherwise = filterPrimArray (`IntMap.notMember` again) everything
+    again = repeated m crowd
+    h = over kept
+    over items = hierarchy (sizeofPrimArray items) (\j -> let Corners a b c = meshTriangle m (indexPrimArray items j) in Just (Bounds.ofTriangle a b c))
+    count = sizeofPrimArray kept
+    numbers = mapPrimArray (fromIntegral . indexPrimArray kept) (hierarchyOrder h)
+    number place = fromIntegral (indexPrimArray numbers place)
     corners = runPrimArray $ do
-      target <- newPrimArray (9 * meshSize m)
-      forM_ [0 .. meshSize m - 1] $ \place ->
-        case meshTriangle m (indexPrimArray order place) of
+      target <- newPrimArray (9 * count)
+      forM_ [0 .. count - 1] $ \place ->
+        case meshTriangle m (number place) of
           Corners a b c -> put target (9 * place) a >> put target (9 * place + 3) b >> put target (9 * place + 6) c
       pure target
     normals = runPrimArray $ do
-      target <- newPrimArray (3 * meshSize m)
-      forM_ [0 .. meshSize m - 1] $ \place ->
+      target <- newPrimArray (3 * count)
+      forM_ [0 .. count - 1] $ \place ->
         -- A mesh has no collinear triangles: there is always a normal.
-        put target (3 * place) (maybe 0 (vector . triangleNormal) (triangle (meshTriangle m (indexPrimArray order place))))
+        put target (3 * place) (maybe 0 (vector . triangleNormal) (triangle (meshTriangle m (number place))))
       pure target
     places = runPrimArray $ do
       target <- newPrimArray (meshSize m)
-      forM_ [0 .. meshSize m - 1] $ \place -> writePrimArray target (indexPrimArray order place) (fromIntegral place)
+      forM_ [0 .. count - 1] $ \place -> writePrimArray target (number place) (fromIntegral place)
+      forM_ (IntMap.toList again) $ \(i, first) -> readPrimArray target first >>= writePrimArray target i
       pure target
     put target k (V3 x y z) = do
       writePrimArray target k x
       writePrimArray target (k + 1) y
       writePrimArray target (k + 2) z
+
+-- | The items of leaves that have very many.
+crowded :: Hierarchy -> PrimArray Int
+crowded h = primArrayFromList [indexPrimArray (hierarchyOrder h) place | (from, end) <- hierarchyLeaves h, end - from > 64, place <- [from .. end - 1]]
+
+-- | Those of some triangles, given in any order, that have the corners of another with a lower number: each with the first that has them.
+repeated :: Mesh -> PrimArray Int -> IntMap Int
+repeated m = snd . foldl' look (Map.empty, IntMap.empty) . IntSet.toAscList . IntSet.fromList . primArrayToList
+  where
+    look (seen, again) i = case Map.lookup key seen of
+      Just first -> (seen, IntMap.insert i first again)
+      Nothing -> (Map.insert key i seen, again)
+      where
+        key = let Corners a b c = meshTriangle m i in (toList a, toList b, toList c)
 
 -- | The triangle of that number, from 0 to below the mesh's size, as a shape of its own; smooth if it has normals or texture coordinates.
 triangleShape :: Mesh -> Int -> Maybe Shape
@@ -149,7 +182,7 @@ closestTriangle m first r c = case descend (preparedMeshHierarchy m) (approach r
 closestInRange :: PreparedMesh -> Int -> Seen -> Ray -> Int -> Int -> Closest -> Closest
 closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = go from t0 number0
   where
-    !order = hierarchyOrder (preparedMeshHierarchy m)
+    !order = numberAt m
     go !place !best !number
       | place >= end = if number == number0 && best == t0 then before else Closest best number tests
       | otherwise = foldr keep (go (place + 1)) (parametersAt m seen r place) best number
@@ -157,7 +190,7 @@ closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = 
         keep t next !b !n
           | t > smallestParameter && t <= b && (t < b || mine < n) = next t mine
           | otherwise = next b n
-        mine = first + indexPrimArray order place
+        mine = first + fromIntegral (indexPrimArray order place)
 {-# NOINLINE closestInRange #-}
 
 -- | Whether a ray meets any triangle nearer than a bound, and how many were tried.

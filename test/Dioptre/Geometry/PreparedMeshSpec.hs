@@ -14,6 +14,7 @@ spec = do
       prop "stand in the way if there is a closest one" anyIsWhetherThereIsAClosest
       prop "are flat shapes, or smooth where there are normals or texture coordinates" trianglesAreShapes
       prop "are, prepared, their shapes, prepared, to the bit" preparedTrianglesAreShapes
+      modifyMaxSuccess (`div` 5) $ prop "cost nothing where they are there many times" repeatedOnesCostNothing
       it "are tried in all their corners" $
         checkCoverage $ \m -> foldr (\(name, holds) -> cover 2 holds name) (property True) (meshedCorners m)
 

@@ -16,6 +16,7 @@ module Laws.Mesh
     anyIsWhetherThereIsAClosest,
     trianglesAreShapes,
     preparedTrianglesAreShapes,
+    repeatedOnesCostNothing,
 
     -- * Closed meshes
     Enclosed (..),
@@ -151,6 +152,18 @@ closestIsAsPlain (Meshed m r) = forAll ((,) <$> elements [0, 7] <*> earlier) $ \
     hits = hitsOf m r
     -- A bound; or something at a parameter where a triangle is met too, with a number below, among and above the triangles'
     earlier = oneof ((below <$> elements ([1 / 0, 4, 1] ++ map snd hits)) : [(\t n -> Closest t n 5) <$> elements (map snd hits) <*> elements [0, 8, 1000] | not (null hits)])
+
+-- | A mesh whose triangles are all there many times over answers as the mesh itself, and tries no more of them.
+repeatedOnesCostNothing :: Meshed -> Property
+repeatedOnesCostNothing (Meshed m r) = forAll (chooseInt (65, 200)) $ \times ->
+  let often :: Vector.Unbox a => Vector.Vector a -> Vector.Vector a
+      often v = Vector.concat (replicate times v)
+      crowd = prepareMesh m {meshCorners = often (meshCorners m), meshCornerNormals = often (meshCornerNormals m), meshCornerUvs = often (meshCornerUvs m), meshFinishes = often (meshFinishes m)}
+      found = closestTriangle crowd 0 r (below (1 / 0))
+      alone = closestTriangle (prepareMesh m) 0 r (below (1 / 0))
+   in met found === met alone
+        .&&. counterexample (show found) (closestTests found <= meshSize m)
+        .&&. [preparedTriangle crowd i | i <- [0 .. times * meshSize m - 1]] === concat (replicate times [preparedTriangle (prepareMesh m) i | i <- [0 .. meshSize m - 1]])
 
 -- | Any triangle is met below a bound if there is a closest one.
 anyIsWhetherThereIsAClosest :: Meshed -> Property
