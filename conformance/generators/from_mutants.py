@@ -89,32 +89,32 @@ def hit(rules, comment, flags, shape, o, d, compare):
 
 
 def ordered_barycentric(p0, p1, p2, v):
-    """The coordinates by geometry.triangle.barycentric or geometry.triangle.needle, each operation in binary64 and in the order of the rule; and whether the triangle is a needle."""
+    """The coordinates by geometry.triangle.barycentric or geometry.triangle.needle, each operation in binary64 and in the order of the rule; and whether it is the latter."""
     minus = lambda a, b: [x - y for x, y in zip(a, b)]
     dot = lambda a, b: (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
     cross = lambda a, b: [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
     w, s1, s2 = minus(v, p0), minus(p1, p0), minus(p2, p0)
     whole = dot(s1, s1) * dot(s2, s2) - dot(s1, s2) * dot(s1, s2)
-    if whole > 2.0**-20 * (dot(s1, s1) * dot(s2, s2)):
+    if whole > 2.0**-20 * (dot(s1, s1) * dot(s2, s2)) and all(1e-140 < dot(a, a) < 1e140 for a in (s1, s2)) and dot(w, w) < 1e140:
         return [(dot(w, s1) * dot(s2, s2) - dot(w, s2) * dot(s1, s2)) / whole, (dot(w, s2) * dot(s1, s1) - dot(w, s1) * dot(s1, s2)) / whole], False
     powers = [math.frexp(max(map(abs, a)))[1] for a in (w, s1, s2)]
     w, s1, s2 = ([math.ldexp(x, -k) for x in a] for a, k in zip((w, s1, s2), powers))
     n = cross(s1, s2)
-    return [math.ldexp(dot(cross(w, s2), n) / dot(n, n), powers[0] - powers[1]), math.ldexp(dot(cross(s1, w), n) / dot(n, n), powers[0] - powers[2])], True
+    return [math.ldexp(dot(cross(a, b), n) / dot(n, n), powers[0] - k) for a, b, k in ((w, s2, powers[1]), (s1, w, powers[2]))], True
 
 
 def needles():
     """Triangles on both sides of the bound of geometry.triangle.needle, with digits enough to tell one way of computing from the other."""
     chance, made = random.Random(51), []
-    for size in (1.0, 2.0**15, 2.0**-15):
-        for angle in (2.0**-2, 2.0**-7.5, 2.0**-10, 2.0**-15):
+    for size in (1.0, 2.0**15, 2.0**-15, 1e72, 1e-72, 1e69, 1e-69):
+        for angle in (2.0**-2, 2.0**-7.5, 2.0**-10, 2.0**-15) if 1e-9 < size < 1e9 else (2.0**-1, 2.0**-2):
             p0, along, off = ([chance.uniform(-1, 1) for _ in range(3)] for _ in range(3))
             p1, p2 = ([(x + (1 + k) * y + k * angle * z) * size for x, y, z in zip(p0, along, off)] for k in (0, 1))
             p0 = [x * size for x in p0]
             t1, t2 = chance.uniform(0, 0.5), chance.uniform(0, 0.5)
             v = [a + t1 * (b - a) + t2 * (c - a) for a, b, c in zip(p0, p1, p2)]
             ok, needle = ordered_barycentric(p0, p1, p2, v)
-            made.append(case("geometry.triangle.barycentric geometry.triangle.needle", f"{'A needle' if needle else 'No needle'}: an angle of some {angle:.1g}, edges of some {size:.1g}", "threshold order", {"points": [p0, p1, p2], "point": v}, ok, source=ORDERED))
+            made.append(case("geometry.triangle.barycentric geometry.triangle.needle", f"{'By cross products' if needle else 'By D'}: an angle of some {angle:.1g}, edges of some {size:.1g}", "threshold order", {"points": [p0, p1, p2], "point": v}, ok, source=ORDERED))
     return made
 
 
@@ -234,6 +234,11 @@ def many():
     disk = {"kind": "disk", "position": [0, 0, 3], "ray": 2}
     for names in (["m", "n"], ["n", "m"]):
         made.append(one("geometry.hit.tie", f"Two disks in one place, {'the other' if names[0] == 'n' else 'one'} of them first", "tie", scene([(name, disk) for name in names], {"m": paint, "n": {**paint, "color": [1, 0.5, 0.25]}}, [NOON])))
+    # Twelve disks side by side in one plane, all of them over the middle.
+    for way in (1, -1):
+        row = [("n" if i else "m", {"kind": "disk", "position": [round(way * (0.2 * i - 1.1), 2), 0, 3], "ray": 3}) for i in range(12)]
+        given = scene(row, {"m": paint, "n": {**paint, "color": [1, 0.5, 0.25]}}, [NOON])
+        made.append(pixel("geometry.hit.index geometry.hit.tie", f"Twelve disks in one plane, from one side to the other, the first at {-1.1 * way:g}", "tie index", given, [128, 64, 255]))
     # From inside a glass cube, 45 degrees from the normal of its face.
     cube = {"kind": "cube", "position": [0, 0, 0], "size": 6}
     inside = {"position": [1, 0, 0], "look_at": [2, 0, 1], "near_clipping_plane": 0.5}

@@ -27,7 +27,7 @@ import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), 
 -- | A shape, where it is in the world, and its finish.
 data Surface = Surface !Prepared !(Finish Texture)
 
--- | The shape of a number from 0 to below 'worldSize'; 'Nothing' elsewhere.
+-- | The shape of a number from 0 to below 'Dioptre.Render.World.worldSize'; 'Nothing' elsewhere.
 --
 -- Cost: constant for the scene's own primitives; for shapes of models, like the logarithm of the number of instances, and a prepared triangle is made.
 surfaceAt :: World -> Int -> Maybe Surface
