@@ -121,7 +121,8 @@ draw journal configuration = do
       let scene = loadedScene loaded
       sayText journal $
         inLanguage l "the scene has " "la scène comprend " <> number (length (scenePrimitives scene))
-          <> inLanguage l " primitives; read in " " primitives\xA0; lue en "
+          <> (if length (scenePrimitives scene) == 1 then " primitive" else " primitives")
+          <> inLanguage l "; read in " "\xA0; lue en "
           <> seconds reading
       let planned = plan (loadedAssets loaded) (loadedLibrary loaded) scene
       (indexing, size) <- timed (evaluate (planExtent planned))
