@@ -141,7 +141,7 @@ def short_axes():
             n = [1.0 if i == across else 0.0 for i in range(3)]
             expected = {"t": 8, "point": [5e-161 if i == along else n[i] for i in range(3)], "normal": n, "uv": [0.5, 0.5]}
             sent = {"geometry": {"kind": kind, "point": [[0, 0, 0], end], "ray": 1}, "ray": {"origin": o, "direction": d}}
-            made.append(case(f"geometry.{kind}.uv geometry.{kind}.normal".replace("cylinder.uv", "tube.uv"), f"A {kind} that is 1e-160 long, along {'xyz'[along]}", "underflow", sent, expected, "abs:1e-14", HAND))
+            made.append(case(f"geometry.axis.length geometry.{kind}.uv geometry.{kind}.normal".replace("cylinder.uv", "tube.uv"), f"A {kind} that is 1e-160 long, along {'xyz'[along]}", "underflow", sent, expected, "abs:1e-14", HAND))
     return made
 
 
@@ -238,7 +238,7 @@ def many():
     for way in (1, -1):
         row = [("n" if i else "m", {"kind": "disk", "position": [round(way * (0.2 * i - 1.1), 2), 0, 3], "ray": 3}) for i in range(12)]
         given = scene(row, {"m": paint, "n": {**paint, "color": [1, 0.5, 0.25]}}, [NOON])
-        made.append(pixel("geometry.hit.index geometry.hit.tie", f"Twelve disks in one plane, from one side to the other, the first at {-1.1 * way:g}", "tie index", given, [128, 64, 255]))
+        made.append(pixel("geometry.hit.index geometry.hit.tie", f"Twelve disks in one plane, from one side to the other, the first at {-1.1 * way:g}", "tie index", given))
     # From inside a glass cube, 45 degrees from the normal of its face.
     cube = {"kind": "cube", "position": [0, 0, 0], "size": 6}
     inside = {"position": [1, 0, 0], "look_at": [2, 0, 1], "near_clipping_plane": 0.5}

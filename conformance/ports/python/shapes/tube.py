@@ -41,13 +41,21 @@ def slab_interval(h0, dh, low, high):
     return (a, b) if dh > 0 else (b, a)
 
 
+def axis_length(between):
+    """The length of an axis, which is not 0 however near its ends are (geometry.axis.length)."""
+    exponent = math.frexp(max(abs(x) for x in between))[1]
+    if exponent > -465:
+        return V.modulus(between)
+    return math.ldexp(V.modulus([math.ldexp(x, -exponent) for x in between]), exponent)
+
+
 class Axial(Shape):
     """A shape with two points on an axis."""
 
     def __init__(self, p1, p2, radius):
         self.p1, self.p2, self.radius = p1, p2, radius
         self.axis = V.unit(V.subtract(p2, p1))
-        self.height = V.modulus(V.subtract(p2, p1))
+        self.height = axis_length(V.subtract(p2, p1))
 
     def side_normal(self, point):
         """geometry.tube.normal, geometry.hit.centre"""
