@@ -123,7 +123,7 @@ isLeaf link = link .&. 1 == 1
 -------------------------------------------------------------------------------
 -- Following a ray
 
--- | What a descent found, and how many items it tried.
+-- | What a descent found, and how many items were in the ranges that it gave (all of them count, also where the first one was enough).
 data Tried found = Tried found !Int
 
 -- | Leads a ray to the items that it may meet, near ones first where that is known; to those without a box first of all. What has been found so far says how far the ray still matters. Items are given in ranges: the first
@@ -171,7 +171,7 @@ descend h a far range found0
 hierarchy :: Int -> (Int -> Maybe Box) -> Hierarchy
 hierarchy n boxOf
   | sizeofPrimArray bounded == 0 = Hierarchy unbounded (sizeofPrimArray unbounded) (toNodes mempty mempty) 0 0
-  | otherwise = case grow boxes bounded of
+  | otherwise = case grow boxes 0 bounded of
     Part f l o depth ->
       let moved link = if isLeaf link then link + (sizeofPrimArray unbounded `shiftL` 32) else link
        in Hierarchy (unbounded <> o) (sizeofPrimArray unbounded) (toNodes f (mapPrimArray moved l)) (sizeofPrimArray l) depth
@@ -220,15 +220,15 @@ data Part = Part !(PrimArray Double) !(PrimArray Int) !(PrimArray Int) !Int
 worthwhile :: Int
 worthwhile = 8192
 
--- | The part that has these items, given the boxes of all.
-grow :: PrimArray Double -> PrimArray Int -> Part
-grow boxes items
-  | sizeofPrimArray items <= worthwhile = growAlone boxes items
+-- | The part that has these items, given the boxes of all, below so many forks.
+grow :: PrimArray Double -> Int -> PrimArray Int -> Part
+grow boxes !level items
+  | sizeofPrimArray items <= worthwhile || level >= chosen = growAlone boxes level items
   | otherwise = case splitting boxes items of
-    Nothing -> growAlone boxes items
+    Nothing -> growAlone boxes level items
     Just (coordinate, left, right) ->
-      let first = grow boxes left
-          second = grow boxes right
+      let first = grow boxes (level + 1) left
+          second = grow boxes (level + 1) right
        in second `par` (first `pseq` joined coordinate first second)
 
 -- | Two parts under a common box.
@@ -254,9 +254,9 @@ splitting boxes items = runST $ do
   where
     n = sizeofPrimArray items
 
--- | The part that has these items, built by one worker.
-growAlone :: PrimArray Double -> PrimArray Int -> Part
-growAlone boxes items = runST $ do
+-- | The same, built by one worker.
+growAlone :: PrimArray Double -> Int -> PrimArray Int -> Part
+growAlone boxes above items = runST $ do
   order <- thawPrimArray items 0 n
   bins <- newBins
   nodeFaces <- newPrimArray (6 * (2 * n - 1))
@@ -284,7 +284,7 @@ growAlone boxes items = runST $ do
                 writePrimArray nodeFaces (6 * node + k) ((if k < 3 then lower else upper) before (indexPrimArray boxes (6 * item + k)))
             writePrimArray nodeLinks node (leafLink lo (hi - lo))
             pure (Grown (node + 1) 1)
-  Grown count depth <- go 0 (0 :: Int) 0 n
+  Grown count depth <- go 0 above 0 n
   shrinkMutablePrimArray nodeFaces (6 * count)
   shrinkMutablePrimArray nodeLinks count
   Part <$> unsafeFreezePrimArray nodeFaces <*> unsafeFreezePrimArray nodeLinks <*> unsafeFreezePrimArray order <*> pure depth

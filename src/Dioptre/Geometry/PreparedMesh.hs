@@ -73,12 +73,11 @@ prepareMesh :: Mesh -> PreparedMesh
 prepareMesh m = PreparedMesh m h corners normals numbers places
   where
     everything = generatePrimArray (meshSize m) id
-    crowd = crowded (over everything)
-    kept
-      | sizeofPrimArray crowd == 0 = everything
-      | otherwise = filterPrimArray (`IntMap.notMember` again) everything
-    again = repeated m crowd
-    h = over kept
+    whole = over everything
+    again = repeated m (crowded whole)
+    (kept, h)
+      | IntMap.null again = (everything, whole)
+      | otherwise = let fewer = filterPrimArray (`IntMap.notMember` again) everything in (fewer, over fewer)
     over items = hierarchy (sizeofPrimArray items) (\j -> let Corners a b c = meshTriangle m (indexPrimArray items j) in Just (Bounds.ofTriangle a b c))
     count = sizeofPrimArray kept
     numbers = mapPrimArray (fromIntegral . indexPrimArray kept) (hierarchyOrder h)

@@ -58,6 +58,14 @@ spec = do
         -- The largest, from (1, 1, 1) on, is item 0
         offeredOf h (ray (V3 1.0005 1.0005 5) (V3 0 0 (-1))) `shouldSatisfy` elem 0
 
+  describe "of a crowd within boxes that are ever farther apart" $
+    it "is no deeper than a trail is long, and loses none" $ do
+      h <- inTime (aroundACrowd 9000)
+      hierarchyDepth h `shouldSatisfy` (<= 63)
+      sort (primArrayToList (hierarchyOrder h)) `shouldBe` [0 .. 9179]
+      -- Along z at x = 32^k, y = 0 the box of that place is met, whose number is 3 (k - 1)
+      for_ [1 .. 60 :: Int] $ \k -> offeredOf h (ray (V3 (32 ^ k) 0 (-1e99)) (V3 0 0 1)) `shouldSatisfy` elem (3 * (k - 1))
+
   describe "of many boxes" $ do
     it "is the same whether one or two processors build it" $ do
       usual <- getNumCapabilities

@@ -23,6 +23,7 @@ module Laws.Index
     coincident,
     inALine,
     everFiner,
+    aroundACrowd,
     scattered,
 
     -- * Laws of offers
@@ -216,6 +217,17 @@ inALine n = hierarchy n (\i -> Just (ofPoints (V3 (fromIntegral i) 0 0) [V3 (fro
 -- | Boxes that shrink towards the origin, each by a factor.
 everFiner :: Double -> Int -> Hierarchy
 everFiner factor n = hierarchy n (\i -> let x = factor ^^ negate i in Just (ofPoints (pure x) [pure (x * factor)]))
+
+-- | Sixty boxes along each axis, each 32 times as far from the origin as the one before (so that of the bins between them one takes all others in), around a crowd in the unit cube that has
+-- the higher numbers: no choice takes more than a few items away.
+aroundACrowd :: Int -> Hierarchy
+aroundACrowd n = hierarchy (180 + n) (Just . item)
+  where
+    item i
+      | i < 180 = let (k, a) = i `divMod` 3; x = 32 ^ (k + 1) in around ((axes !! a) x) (pure (x / 100))
+      | otherwise = let at k = fractional (fromIntegral i * sqrt k) in around (V3 (at 2) (at 3) (at 5)) 0.01
+    axes = [\x -> V3 x 0 0, \x -> V3 0 x 0, V3 0 0]
+    fractional x = x - fromIntegral (floor x :: Int) :: Double
 
 -- | Boxes here and there: the multiples of an irrational number, modulo 1.
 scattered :: Int -> Hierarchy
