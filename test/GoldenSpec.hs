@@ -13,7 +13,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (isSuffixOf, sort)
 import qualified Data.Vector.Storable as Storable
-import Dioptre.Command.Load (drawnOrLoaded)
+import Dioptre.Load (drawnOrLoaded)
 import Dioptre.Picture (Difference (..), Picture, difference, picture, pictureBytes, pictureWidth)
 import Dioptre.Picture.Png (decode, encode)
 import Dioptre.Source.Language (Language (English))

@@ -7,7 +7,6 @@ where
 import qualified Dioptre.Command.CommandSpec
 import qualified Dioptre.Command.ConformSpec
 import qualified Dioptre.Command.ExplainSpec
-import qualified Dioptre.Command.LoadSpec
 import qualified Dioptre.Conformance.CompareSpec
 import qualified Dioptre.Conformance.ExampleSpec
 import qualified Dioptre.Conformance.LinesSpec
@@ -55,6 +54,7 @@ import qualified Dioptre.Light.LightSpec
 import qualified Dioptre.Light.MaterialSpec
 import qualified Dioptre.Light.WaveSpec
 import qualified Dioptre.Light.WavelengthSpec
+import qualified Dioptre.LoadSpec
 import qualified Dioptre.Math.QuarticSpec
 import qualified Dioptre.Math.RootsSpec
 import qualified Dioptre.Math.TransformSpec
@@ -117,7 +117,6 @@ specs = do
   describe "Dioptre.Command.Command" Dioptre.Command.CommandSpec.spec
   describe "Dioptre.Command.Conform" Dioptre.Command.ConformSpec.spec
   describe "Dioptre.Command.Explain" Dioptre.Command.ExplainSpec.spec
-  describe "Dioptre.Command.Load" Dioptre.Command.LoadSpec.spec
   describe "Dioptre.Conformance.Compare" Dioptre.Conformance.CompareSpec.spec
   describe "Dioptre.Conformance.Example" Dioptre.Conformance.ExampleSpec.spec
   describe "Dioptre.Conformance.Lines" Dioptre.Conformance.LinesSpec.spec
@@ -165,6 +164,7 @@ specs = do
   describe "Dioptre.Light.Material" Dioptre.Light.MaterialSpec.spec
   describe "Dioptre.Light.Wave" Dioptre.Light.WaveSpec.spec
   describe "Dioptre.Light.Wavelength" Dioptre.Light.WavelengthSpec.spec
+  describe "Dioptre.Load" Dioptre.LoadSpec.spec
   describe "Dioptre.Math.Quartic" Dioptre.Math.QuarticSpec.spec
   describe "Dioptre.Math.Roots" Dioptre.Math.RootsSpec.spec
   describe "Dioptre.Math.Transform" Dioptre.Math.TransformSpec.spec

@@ -36,7 +36,7 @@ spec = do
 
 -- | The stages, in the order in which a scene passes through them.
 stages :: [String]
-stages = ["Source", "Syntax", "Math", "Geometry", "Light", "Optics", "Scene", "Model", "Picture", "Render", "Explain", "Files", "Conformance", "Command"]
+stages = ["Source", "Syntax", "Math", "Geometry", "Light", "Optics", "Scene", "Model", "Picture", "Render", "Explain", "Files", "Load", "View", "Conformance", "Command"]
 
 -- | The number of a module's stage. The façade comes after all of them.
 stageOf :: String -> Maybe Int

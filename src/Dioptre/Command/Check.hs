@@ -19,10 +19,10 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole)
-import Dioptre.Command.Load (Loaded (..), loadScene)
 import Dioptre.Command.Render (failing)
-import Dioptre.Command.Wording (fileFault)
 import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Wording (fileFault)
+import Dioptre.Load (Loaded (..), loadScene)
 import Dioptre.Scene.Configuration (checkConfiguration)
 import Dioptre.Source.Language (inLanguage)
 import Dioptre.Source.Report (pretty, summary, toJson)

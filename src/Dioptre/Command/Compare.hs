@@ -13,8 +13,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
-import Dioptre.Command.Load (Loaded (..), drawnOrLoaded)
 import Dioptre.Command.Render (sayDiagnostics)
+import Dioptre.Load (Loaded (..), drawnOrLoaded)
 import Dioptre.Picture (Difference (..), difference, pictureHeight, pictureWidth)
 import Dioptre.Source.Language (Language, inLanguage)
 import System.Exit (ExitCode (..))

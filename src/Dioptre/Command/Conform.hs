@@ -21,13 +21,13 @@ import qualified Data.Text.Lazy as LazyText
 import qualified Data.Text.Lazy.Encoding as LazyText
 import Dioptre.Command.Check (Format (..))
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole, withProgress)
-import Dioptre.Command.Wording (fileFault)
 import Dioptre.Conformance.Compare (describeComparison)
 import Dioptre.Conformance.Oracle (profiles)
 import Dioptre.Conformance.Protocol (writeValue)
 import Dioptre.Conformance.Runner (Complaint (..), Ran (..), Settings (..), runCases, standardSettings)
 import Dioptre.Conformance.Suite (Selection (..), SuiteFault (..), findSuite, readSuite, select)
 import Dioptre.Conformance.Verdict (Case (..), Reason (..), Score (..), Trouble (..), Verdict (..), abbreviated, isFailure, scoreOf)
+import Dioptre.Files.Wording (fileFault)
 import Dioptre.Source.Language (Language, inLanguage)
 import qualified Dioptre.Source.Report as Report
 import Prettyprinter (Doc, annotate, pretty, vsep)

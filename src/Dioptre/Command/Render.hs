@@ -24,8 +24,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, say, sayFault, sayText, withProgress)
-import Dioptre.Command.Load (Loaded (..), loadScene)
-import Dioptre.Command.Wording (fileFault, numberingFault, seconds, statistics)
+import Dioptre.Load (Loaded (..), loadScene)
+import Dioptre.Command.Wording (seconds, statistics)
+import Dioptre.Files.Wording (fileFault, numberingFault)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Number (PictureNumber, writeNumbered)
 import Dioptre.Files.Whole (writeWhole)

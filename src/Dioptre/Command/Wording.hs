@@ -1,72 +1,23 @@
-{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Command.Wording
 -- Description : What the commands say, in English and French
 module Dioptre.Command.Wording
-  ( fileFault,
-    searchFault,
-    numberingFault,
-    undecodable,
-    seconds,
+  ( seconds,
     statistics,
     extent,
+    modelRead,
   )
 where
 
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Dioptre.Files.Fault (FileFault (..), Reason (..))
-import Dioptre.Files.Number (NumberingFault (..))
-import Dioptre.Files.Search (Place (..), SearchFault (..))
+import Dioptre.Load.Amount (Amount (..), ModelRead (..))
+import Dioptre.Model.Obj (Counts (..))
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Source.Language (Language, inLanguage)
 import Numeric (showFFloat)
-
--- | A file that cannot be read or written.
-fileFault :: Language -> FileFault -> Text
-fileFault l (FileFault path reason) = Text.pack path <> inLanguage l ": " "\xA0: " <> why reason
-  where
-    why = \case
-      DoesNotExist -> say "there is no such file or folder" "ce fichier ou ce dossier n'existe pas"
-      PermissionDenied -> say "permission denied" "permission refusée"
-      IsAFolder -> say "this is a folder" "c'est un dossier"
-      NotAFolder -> say "a part of this path is a file, not a folder" "une partie de ce chemin est un fichier, pas un dossier"
-      DiskFull -> say "no space is left" "il ne reste plus de place"
-      OtherReason t -> t
-    say = inLanguage l
-
--- | A file named in another one that cannot be found.
-searchFault :: Language -> SearchFault -> Text
-searchFault l = \case
-  NoName name -> inLanguage l "no file can be called '" "aucun fichier ne peut s'appeler '" <> name <> "'"
-  NotFound name places ->
-    inLanguage l "no file is called '" "aucun fichier ne s'appelle '" <> name
-      <> inLanguage l "'; looked for:" "'\xA0; cherché\xA0:"
-      <> foldMap (("\n    " <>) . place) places
-  SeveralFound name paths ->
-    inLanguage l "several files are called '" "plusieurs fichiers s'appellent '" <> name
-      <> inLanguage l "'; keep one of:" "'\xA0; n'en gardez qu'un\xA0:"
-      <> foldMap (("\n    " <>) . Text.pack) paths
-  where
-    place = \case
-      Within folder -> inLanguage l "in " "dans " <> Text.pack folder
-      Below folder -> inLanguage l "anywhere below " "n'importe où sous " <> Text.pack folder
-
--- | A numbered picture that cannot be written.
-numberingFault :: Language -> NumberingFault -> Text
-numberingFault l = \case
-  UnusableName name -> "'" <> name <> inLanguage l "' cannot name a file here" "' ne peut pas nommer un fichier ici"
-  AllNumbersTaken folder name ->
-    Text.pack folder <> inLanguage l ": all thousand numbers of '" "\xA0: les mille numéros de '" <> name
-      <> inLanguage l "' are taken; move some of its pictures away" "' sont pris\xA0; déplacez quelques-unes de ses images"
-  NotWritten fault -> fileFault l fault
-
--- | A file that is no picture.
-undecodable :: Language -> FilePath -> Text -> Text
-undecodable l path complaint =
-  Text.pack path <> inLanguage l ": this is no picture that can be read (" "\xA0: ce n'est pas une image lisible (" <> complaint <> ")"
 
 -- | A duration, to the millisecond.
 seconds :: Double -> Text
@@ -99,3 +50,20 @@ extent l e =
     ]
   where
     number = Text.pack . show
+
+-- | A model's file that was read, and how much is in it.
+modelRead :: Language -> ModelRead -> Text
+modelRead l (ModelRead path amount) =
+  inLanguage l "model '" "modèle '" <> Text.pack path <> inLanguage l "' read: " "' lu\xA0: " <> case amount of
+    Polygons counts ->
+      Text.intercalate
+        ", "
+        [ number (countTriangles counts) ("triangle", "triangles") ("triangle", "triangles"),
+          number (countQuads counts) ("quad", "quads") ("quadrilatère", "quadrilatères"),
+          number (countPolygons counts) ("other polygon", "other polygons") ("autre polygone", "autres polygones")
+        ]
+    Primitives n -> number n ("primitive", "primitives") ("primitive", "primitives")
+    Tubes n -> number n ("tube", "tubes") ("tube", "tubes")
+  where
+    number :: Int -> (Text, Text) -> (Text, Text) -> Text
+    number n en fr = Text.pack (show n) <> " " <> inLanguage l (if n == 1 then fst en else snd en) (if n < 2 then fst fr else snd fr)

@@ -2,12 +2,12 @@
 {-# LANGUAGE LambdaCase #-}
 
 -- |
--- Module      : Dioptre.Command.Load.Shelf
+-- Module      : Dioptre.Load.Shelf
 -- Description : Files that have been loaded already
 --
 -- A scene may name a picture or a model a thousand times, in many spellings, and its models may name it as well. Each file is read once: what came of it stays on a
 -- shelf, under the file's own path.
-module Dioptre.Command.Load.Shelf
+module Dioptre.Load.Shelf
   ( -- * The shelf
     Shelf (..),
     emptyShelf,
@@ -39,8 +39,8 @@ import Data.Sequence (Seq)
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Dioptre.Command.Load.Amount (ModelRead)
-import Dioptre.Command.Wording (fileFault)
+import Dioptre.Load.Amount (ModelRead)
+import Dioptre.Files.Wording (fileFault)
 import Dioptre.Files.Search (Place (..), SearchFault (..), search)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Model.Content (Content)

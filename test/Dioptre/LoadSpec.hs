@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Scenes with the files that they need, each in a folder of its own.
-module Dioptre.Command.LoadSpec
+module Dioptre.LoadSpec
   ( spec,
   )
 where
@@ -14,8 +14,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Vector.Storable as Storable
-import Dioptre.Command.Load
-import Dioptre.Command.Load.Amount (Amount (..), ModelRead (..))
+import Dioptre.Load
+import Dioptre.Load.Amount (Amount (..), ModelRead (..))
 import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Geometry.Shape (Shape (ASphere))
 import Dioptre.Geometry.Sphere (sphereRadius)

@@ -2,9 +2,9 @@
 {-# LANGUAGE TupleSections #-}
 
 -- |
--- Module      : Dioptre.Command.Load
+-- Module      : Dioptre.Load
 -- Description : From a path to a scene or a picture
-module Dioptre.Command.Load
+module Dioptre.Load
   ( Loaded (..),
     loadScene,
     loadBuiltIn,
@@ -23,10 +23,10 @@ import Data.List (sortOn)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
-import Dioptre.Command.Load.Amount (ModelRead)
-import Dioptre.Command.Load.Models (loadModels, sceneSite)
-import Dioptre.Command.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
-import Dioptre.Command.Wording (fileFault, undecodable)
+import Dioptre.Load.Amount (ModelRead)
+import Dioptre.Load.Models (loadModels, sceneSite)
+import Dioptre.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
+import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Model.Library (Library (..), noModels)
 import Dioptre.Picture (Picture)

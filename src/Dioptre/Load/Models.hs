@@ -2,7 +2,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
--- Module      : Dioptre.Command.Load.Models
+-- Module      : Dioptre.Load.Models
 -- Description : From the names of models to a library
 --
 -- >  scene.txt                                      library
@@ -15,7 +15,7 @@
 --
 -- A model becomes part of the library when everything that it names has, so that each holds only models with lower numbers. What a model is does not depend on who
 -- names it, with one exception, the @uv_format@: a file has that of the first model that names it, in the order in which the files are read.
-module Dioptre.Command.Load.Models
+module Dioptre.Load.Models
   ( Site,
     sceneSite,
     loadModels,
@@ -45,9 +45,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Vector (Vector)
 import qualified Data.Vector as Vector
-import Dioptre.Command.Load.Amount (Amount (..), ModelRead (..))
-import Dioptre.Command.Load.Shelf
-import Dioptre.Command.Wording (fileFault)
+import Dioptre.Load.Amount (Amount (..), ModelRead (..))
+import Dioptre.Load.Shelf
+import Dioptre.Files.Wording (fileFault)
 import Dioptre.Files.Fault (FileFault)
 import Dioptre.Files.Pieces (readPieces)
 import Dioptre.Files.Whole (readWhole)
