@@ -3,7 +3,7 @@
 # and the libraries of the distribution. It may be run as often as you like: it installs only what is missing.
 #
 #   ./setup.sh           what building, running and testing Dioptre needs
-#   ./setup.sh --gate    also what .ci/run needs: hlint, ormolu, shellcheck, python3
+#   ./setup.sh --gate    also what .ci/run needs: hlint, ormolu, shellcheck, python3, chromium
 #   ./setup.sh --dev     also what a contributor wants: the above, and povray for the timings
 #   ./setup.sh --help    this text
 #
@@ -17,10 +17,14 @@ libraries='
   libghc-async-dev
   libghc-base64-bytestring-dev
   libghc-edit-distance-dev
+  libghc-file-embed-dev
+  libghc-fsnotify-dev
   libghc-hspec-dev
+  libghc-http-types-dev
   libghc-juicypixels-dev
   libghc-linear-dev
   libghc-megaparsec-dev
+  libghc-network-dev
   libghc-optparse-applicative-dev
   libghc-prettyprinter-ansi-terminal-dev
   libghc-prettyprinter-dev
@@ -29,14 +33,22 @@ libraries='
   libghc-temporary-dev
   libghc-terminal-progress-bar-dev
   libghc-vector-dev
+  libghc-wai-dev
+  libghc-wai-websockets-dev
+  libghc-warp-dev
+  libghc-websockets-dev
 '
 tools='ghc haskell-stack hspec-discover'
 # A library that only the benchmarks name goes here, on a line of its own like those above.
 gate_tools='
+  chromium
+  chromium-driver
+  doctest
   git
   hlint
   ormolu
   python3
+  python3-selenium
   shellcheck
 '
 dev_tools='povray'

@@ -16,15 +16,17 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Data.Version (showVersion)
-import Dioptre.Command.Check (Format (..), check)
+import Dioptre.Command.Check (Format (..), check, checkWithOriginal)
 import Dioptre.Command.Compare (compare)
 import Dioptre.Command.Conform (Trial (..), conform)
 import Dioptre.Command.Explain (explain)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
+import Dioptre.Command.New (new)
 import Dioptre.Command.Oracle (oracle)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (firstNumber, readConfiguration, run)
+import Dioptre.Command.View (ViewOptions (..), viewScene)
 import Dioptre.Conformance.Oracle (profiles)
 import Dioptre.Conformance.Suite (Selection (..))
 import Dioptre.Files.Number (PictureNumber)
@@ -58,12 +60,14 @@ data Settings = Settings
 data Work
   = Configured
   | Render (PictureNumber -> Options)
-  | Check Format [FilePath]
+  | Check Bool Format [FilePath]
+  | New FilePath
   | Explain Format FilePath Int Int
   | Compare FilePath FilePath
   | Info
   | Oracle
   | Conform Trial
+  | View ViewOptions (Maybe FilePath)
 
 main :: IO ()
 main = do
@@ -86,12 +90,14 @@ main = do
     exitWith =<< case commandWork asked of
       Configured -> run journal configuration
       Render options -> render journal (options first)
-      Check format paths -> check journal format paths
+      Check original format paths -> (if original then checkWithOriginal else check) journal format paths
+      New name -> new journal name
       Explain format path column row -> explain journal format path column row
       Compare a b -> compare journal a b
       Info -> ExitSuccess <$ Text.putStr (info l)
       Oracle -> oracle (Text.pack (showVersion version))
       Conform trial -> conform journal trial
+      View options path -> viewScene journal options path
 
 -- | The four numbers of @--crop@ as one argument, which is what the option parser can take.
 joinCrop :: [String] -> [String]
@@ -137,8 +143,10 @@ program l =
     commands =
       subparser . mconcat $
         [ entry "render" (say "draw a scene" "dessiner une scène") (rendering <$> renderOptions),
-          entry "check" (say "tell what is wrong with scenes, and draw nothing" "dire ce qui ne va pas dans des scènes, sans dessiner") (checking <$> settings <*> format <*> some scene),
+          entry "new" (say "write a scene to start from, NAME.txt, never over another file" "écrire une scène de départ, NOM.txt, jamais sur un autre fichier") (beginning <$> settings <*> path (say "NAME" "NOM")),
+          entry "check" (say "tell what is wrong with scenes, and draw nothing" "dire ce qui ne va pas dans des scènes, sans dessiner") (checking <$> settings <*> original <*> format <*> some scene),
           entry "explain" (say "tell the story of one pixel: its ray, the shapes, the lights, the colour" "raconter l'histoire d'un pixel\xA0: son rayon, les formes, les lumières, la couleur") (explaining <$> settings <*> format <*> scene <*> place (say "COLUMN" "COLONNE") (say "from 0 at the left" "de 0, à gauche") <*> place (say "ROW" "LIGNE") (say "from 0 at the top" "de 0, en haut")),
+          entry "view" (say "show a scene in the browser, where it can be changed and asked about" "montrer une scène dans le navigateur, où l'on peut la modifier et l'interroger") (viewingOf <$> settings <*> viewOptions <*> optional scene),
           entry "compare" (say "compare two scenes or pictures, pixel by pixel" "comparer deux scènes ou images, pixel par pixel") (comparing <$> settings <*> path "A" <*> path "B"),
           entry "info" (say "list applications, words and defaults" "énumérer applications, mots et valeurs par défaut") ((`Command` Info) <$> settings),
           entry "oracle" (say "answer the conformance protocol, a line for a line" "répondre au protocole de conformité, ligne par ligne") ((`Command` Oracle) <$> settings),
@@ -150,12 +158,22 @@ program l =
     configured = (`Command` Configured) <$> settings
 
     rendering (s, make) = Command s (Render make)
-    checking s f paths = Command s (Check f paths)
+    checking s o f paths = Command s (Check o f paths)
+    beginning s name = Command s (New name)
     explaining s f path' column row = Command s (Explain f path' column row)
     place name what = argument (atLeast 0) (metavar name <> help what)
     comparing s a b = Command s (Compare a b)
 
     conforming s t = Command s (Conform t)
+
+    viewingOf s options path' = Command s (View options path')
+    viewOptions =
+      ViewOptions
+        <$> optional (option portNumber (long "port" <> metavar "N" <> help (say "the port of this machine where the page is (default: any free one)" "le port de cette machine où se trouve la page (par défaut\xA0: un port libre)")))
+        <*> (not <$> switch (long "no-browser" <> help (say "only print the page's address" "afficher seulement l'adresse de la page")))
+    portNumber = eitherReader $ \text -> case integer (Text.pack text) of
+      Right n | n > 0 && n < 65536 -> Right n
+      _ -> Left (say "an integer from 1 to 65535" "un entier de 1 à 65535")
 
     settings =
       Settings
@@ -185,6 +203,8 @@ program l =
       Right x | x > 0 -> Right x
       _ -> Left (say "a number greater than 0" "un nombre supérieur à 0")
     suite = optional (strOption (long "suite" <> metavar (say "FOLDER" "DOSSIER") <> help (say "the folder of the suite (default: conformance here, or in the nearest folder around)" "le dossier de la suite (par défaut\xA0: conformance ici, ou dans le dossier le plus proche qui contient celui-ci)") <> action "directory"))
+
+    original = switch (long "original" <> help (say "also tell what the original program does otherwise with a scene" "dire aussi ce que le programme d'origine fait autrement d'une scène"))
 
     scene = path "SCENE"
     path name = strArgument (metavar name <> action "file")

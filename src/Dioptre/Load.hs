@@ -7,40 +7,37 @@
 module Dioptre.Load
   ( Loaded (..),
     loadScene,
-    loadBuiltIn,
+    loadSource,
     loadPicture,
     drawnOrLoaded,
   )
 where
 
 import Control.Exception (evaluate)
-import Control.Monad ((<=<))
 import Control.Monad.Trans.State.Strict (runStateT)
 import Data.Bifunctor (first)
 import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.Text (Text)
-import qualified Data.Text as Text
 import qualified Data.Vector as Vector
+import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Load.Amount (ModelRead)
+import Dioptre.Load.Decoding (attempted)
 import Dioptre.Load.Models (loadModels, sceneSite)
 import Dioptre.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
-import Dioptre.Files.Wording (fileFault, undecodable)
-import Dioptre.Files.Whole (readWhole)
-import Dioptre.Model.Library (Library (..), noModels)
+import Dioptre.Model.Library (Library (..))
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (decode)
 import Dioptre.Render (renderWith)
 import Dioptre.Render.Row (plan)
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Scene (Scene)
-import Dioptre.Scene.Check (checkScene, checkSceneFile, pictureNames)
-import Dioptre.Scene.Configuration (defaultSceneFile)
-import Dioptre.Scene.Default (defaultScene)
+import Dioptre.Scene.Check (checkSceneFile, pictureNames)
 import Dioptre.Source.Diagnostic (Diagnostic (..))
 import Dioptre.Source.Language (Language)
-import Dioptre.Source.Text (Source, fromText)
+import Dioptre.Source.Text (Source, sourceName)
 import qualified Dioptre.Source.Text as Source
 import Dioptre.Syntax.Grammar (parse)
 import GHC.Conc (getNumCapabilities)
@@ -62,36 +59,30 @@ data Loaded = Loaded
 
 -- | The scene in the file at a path, with its pictures and models; or why there is none, in words.
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)
-loadScene l path =
-  readWhole path >>= \bytes -> case Source.decode path <$> bytes of
-    Left fault -> pure (Left (fileFault l fault))
-    Right source -> do
-      let tree = parse source
-          (scene, mentions, diagnostics) = checkSceneFile tree
-          folder = takeDirectory path
-      (((assets, missing), (instances, refused)), shelf) <-
-        runStateT ((,) <$> loadPictures l folder (pictureNames tree) <*> loadModels (sceneSite l folder) mentions) emptyShelf
-      let own = (source, sortOn diagnosticSpan (diagnostics <> missing <> refused))
-          loaded =
-            Loaded
-              { loadedScene = scene,
-                loadedAssets = assets,
-                loadedLibrary = Library (Vector.fromList (toList (shelfLibrary shelf))) instances,
-                loadedModels = toList (shelfRead shelf),
-                loadedDiagnostics = own : toList (shelfFaults shelf)
-              }
-      Right loaded <$ evaluate (sum (map (length . snd) (loadedDiagnostics loaded)))
+loadScene l path = readWhole path >>= either (pure . Left . fileFault l) (fmap Right . loadSource l . Source.decode path)
 
--- | The scene that is built in. It uses no files.
-loadBuiltIn :: Loaded
-loadBuiltIn = Loaded scene mempty noModels [] [(source, diagnostics)]
-  where
-    source = fromText (Text.unpack defaultSceneFile) defaultScene
-    (scene, diagnostics) = checkScene (parse source)
+-- | The scene of a text, with its pictures and models, which are looked for as if the text stood in the file whose path is its name.
+loadSource :: Language -> Source -> IO Loaded
+loadSource l source = do
+  let tree = parse source
+      (scene, mentions, diagnostics) = checkSceneFile tree
+      folder = takeDirectory (sourceName source)
+  (((assets, missing), (instances, refused)), shelf) <-
+    runStateT ((,) <$> loadPictures l folder (pictureNames tree) <*> loadModels (sceneSite l folder) mentions) emptyShelf
+  let own = (source, sortOn diagnosticSpan (diagnostics <> missing <> refused))
+      loaded =
+        Loaded
+          { loadedScene = scene,
+            loadedAssets = assets,
+            loadedLibrary = Library (Vector.fromList (toList (shelfLibrary shelf))) instances,
+            loadedModels = toList (shelfRead shelf),
+            loadedDiagnostics = own : toList (shelfFaults shelf)
+          }
+  loaded <$ evaluate (sum (map (length . snd) (loadedDiagnostics loaded)))
 
 -- | The picture in the file at a path, or why there is none, in words.
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)
-loadPicture l path = (first (undecodable l path) . decode <=< first (fileFault l)) <$> readWhole path
+loadPicture l path = readWhole path >>= either (pure . Left . fileFault l) (fmap (first (undecodable l path)) . attempted decode)
 
 -- | The picture at a path: for a scene (a path that ends in @.txt@) the one that it draws, and its scene; otherwise the one in the file.
 drawnOrLoaded :: Language -> FilePath -> IO (Either Text (Picture, Maybe Loaded))

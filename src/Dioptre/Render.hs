@@ -7,6 +7,7 @@ module Dioptre.Render
   ( rendered,
     renderWith,
     Tally (..),
+    tallyOf,
   )
 where
 
@@ -25,6 +26,13 @@ data Tally = Tally
     tallyCut :: !Int
   }
 
+instance Semigroup Tally where
+  Tally a b c <> Tally d e f = Tally (a + d) (b + e) (c + f)
+
+-- | What a row took.
+tallyOf :: Row -> Tally
+tallyOf r = Tally (rowRays r) (rowTests r) (rowCut r)
+
 -- | The picture of a plan: all its rows, from the top.
 rendered :: Plan -> Picture
 rendered p = picture (planWidth p) (Storable.concat [rowBytes (row p y) | y <- [0 .. planHeight p - 1]])
@@ -38,7 +46,7 @@ renderWith workers done p = do
   tally <- newIORef (Tally 0 0 0)
   inParallel workers (planHeight p) (row p) $ \y r -> do
     Storable.copy (Mutable.slice (4 * planWidth p * y) (4 * planWidth p) target) (rowBytes r)
-    atomicModifyIORef' tally (\(Tally rays tests cut) -> (Tally (rays + rowRays r) (tests + rowTests r) (cut + rowCut r), ()))
+    atomicModifyIORef' tally (\before -> (before <> tallyOf r, ()))
     done
   -- Nobody writes to the target any more.
   bytes <- Storable.unsafeFreeze target

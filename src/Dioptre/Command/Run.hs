@@ -1,3 +1,4 @@
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -13,6 +14,7 @@ module Dioptre.Command.Run
   )
 where
 
+import Control.Concurrent.STM (readTVarIO)
 import Control.Exception (evaluate, onException)
 import Control.Monad (forM)
 import qualified Data.ByteString.Lazy as Lazy
@@ -24,16 +26,17 @@ import qualified Data.Text.IO as Text
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayFault, sayText, written)
-import Dioptre.Load (Loaded (..), drawnOrLoaded, loadBuiltIn, loadScene)
 import Dioptre.Command.Render (sayCut, sayDiagnostics, timed, traced)
+import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
-import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
 import Dioptre.Files.Number (PictureNumber, next, pictureNumber, writeNumbered)
 import Dioptre.Files.Search (search)
 import Dioptre.Files.Whole (readWhole, writeWhole)
-import Dioptre.Picture (Difference (Equal), difference)
+import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
+import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource)
+import Dioptre.Picture (Difference (Equal), Picture, difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
 import Dioptre.Render.Row (plan, planExtent)
@@ -42,12 +45,14 @@ import Dioptre.Scene.Camera (viewportImage)
 import Dioptre.Scene.Configuration
 import Dioptre.Scene.Default (defaultScene)
 import Dioptre.Source.Diagnostic (Diagnostic)
-import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Language (inLanguage)
 import Dioptre.Source.Text (Source, decode)
 import Dioptre.Syntax.Grammar (parse)
+import Dioptre.View.Frame (Frame (..), Progress (..), framePicture)
 import System.Directory (doesFileExist)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory)
+import System.IO (hFlush, stdout)
 
 -- | The configuration in the working directory, with its text and what there is to say of it; or why there is none.
 readConfiguration :: IO (Either FileFault (Source, Configuration, [Diagnostic]))
@@ -88,9 +93,7 @@ apply journal configuration = case configurationApplication configuration of
   RunNothing -> ExitSuccess <$ sayText journal (inLanguage l "configuration.cfg runs no application" "configuration.cfg ne lance aucune application")
   RunInfo -> Text.putStr (info l) >> writeDefaultScene journal
   RunConsole -> draw journal configuration
-  RunFrame -> do
-    sayText journal (inLanguage l "this version has no window yet: 'frame' draws as 'console'" "cette version n'a pas encore de fenêtre\xA0: 'frame' dessine comme 'console'")
-    draw journal configuration
+  RunFrame -> frame journal configuration
   RunComparator -> compareAll journal configuration
   where
     l = journalLanguage journal
@@ -110,43 +113,75 @@ failed journal fault = ExitFailure 3 <$ sayFault journal fault
 
 -- | Draws the scene: reads it, traces it, writes the picture, counts it, and writes the scene back.
 draw :: Journal -> Configuration -> IO ExitCode
-draw journal configuration = do
+draw journal configuration = withSource journal configuration $ \(source, _) -> do
+  (reading, loaded) <- timed (loadSource l source)
+  sayScene journal loaded (inLanguage l "; read in " "\xA0; lue en " <> seconds reading)
+  let planned = plan (loadedAssets loaded) (loadedLibrary loaded) (loadedScene loaded)
+  (indexing, size) <- timed (evaluate (planExtent planned))
+  sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
+  (tracing, (image, tally)) <- timed (traced journal planned)
+  leave journal configuration (loadedScene loaded) image tracing tally
+  where
+    l = journalLanguage journal
+
+-- | Shows the scene in the browser while it is drawn, and leaves what 'draw' leaves as soon as it is; ends when its page is closed. A picture that is too large for the page is drawn without it.
+frame :: Journal -> Configuration -> IO ExitCode
+frame journal configuration = withSource journal configuration $ \scene ->
+  viewing journal (ViewOptions Nothing True) True scene $ \viewer ->
+    awaitPicture viewer >>= \case
+      Nothing -> draw journal configuration
+      Just shown -> do
+        let loaded = frameLoaded shown
+        sayScene journal loaded ""
+        sayText journal (extent l (planExtent (framePlan shown)))
+        progress <- readTVarIO (frameProgress shown)
+        image <- framePicture shown
+        code <- leave journal configuration (loadedScene loaded) image (progressSeconds progress) (progressTally progress)
+        code <$ awaitDeparture viewer
+  where
+    l = journalLanguage journal
+
+-- | What there is to say of a scene that was read, with an end to its last line.
+sayScene :: Journal -> Loaded -> Text -> IO ()
+sayScene journal loaded end = do
+  mapM_ (sayText journal . modelRead l) (loadedModels loaded)
+  sayDiagnostics journal (loadedDiagnostics loaded)
+  sayText journal $
+    inLanguage l "the scene has " "la scène comprend " <> Text.pack (show primitives) <> (if primitives == 1 then " primitive" else " primitives") <> end
+  where
+    l = journalLanguage journal
+    primitives = length (scenePrimitives (loadedScene loaded))
+
+-- | Leaves what an application leaves of a picture that took some seconds: the picture, its number, and the scene.
+leave :: Journal -> Configuration -> Scene -> Picture -> Double -> Tally -> IO ExitCode
+leave journal configuration scene image tracing tally = do
+  sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
+  sayCut journal tally
+  (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
+  case outcome of
+    Left fault -> failed journal (numberingFault l fault)
+    Right (path, used) -> do
+      sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds writing)
+      Text.putStrLn (Text.pack path)
+      hFlush stdout
+      worse <$> count journal (next used) <*> saved journal (Text.unpack (configurationWrite configuration)) (writeScene scene)
+  where
+    l = journalLanguage journal
+
+-- | Does some work with the text of the scene that the configuration names, and whether its name is the path of a file: the built-in one, or one that is looked for.
+withSource :: Journal -> Configuration -> ((Source, Bool) -> IO ExitCode) -> IO ExitCode
+withSource journal configuration act = do
   sayText journal (inLanguage l "reading scene '" "lecture de la scène '" <> name <> "'")
-  (reading, result) <- timed (sceneNamed l name)
-  case result of
-    Left fault -> failed journal fault
-    Right loaded -> do
-      mapM_ (sayText journal . modelRead l) (loadedModels loaded)
-      sayDiagnostics journal (loadedDiagnostics loaded)
-      let scene = loadedScene loaded
-      sayText journal $
-        inLanguage l "the scene has " "la scène comprend " <> number (length (scenePrimitives scene))
-          <> (if length (scenePrimitives scene) == 1 then " primitive" else " primitives")
-          <> inLanguage l "; read in " "\xA0; lue en "
-          <> seconds reading
-      let planned = plan (loadedAssets loaded) (loadedLibrary loaded) scene
-      (indexing, size) <- timed (evaluate (planExtent planned))
-      sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
-      (tracing, (image, tally)) <- timed (traced journal planned)
-      sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
-      sayCut journal tally
-      (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
-      case outcome of
-        Left fault -> failed journal (numberingFault l fault)
-        Right (path, used) -> do
-          sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds writing)
-          Text.putStrLn (Text.pack path)
-          worse <$> count journal (next used) <*> saved journal (Text.unpack (configurationWrite configuration)) (writeScene scene)
+  source >>= either (failed journal) act
   where
     l = journalLanguage journal
     name = configurationRead configuration
-    number = Text.pack . show
-
--- | The scene of that name: the built-in one, or one that is looked for; or why there is none, in words.
-sceneNamed :: Language -> Text -> IO (Either Text Loaded)
-sceneNamed l name
-  | Text.toCaseFold (Text.strip name) == defaultSceneFile = pure (Right loadBuiltIn)
-  | otherwise = search "." "." name >>= either (pure . Left . searchFault l) (loadScene l)
+    source
+      | Text.toCaseFold (Text.strip name) == defaultSceneFile = pure (Right (builtIn, False))
+      | otherwise =
+        search "." "." name >>= \case
+          Left fault -> pure (Left (searchFault l fault))
+          Right path -> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readWhole path
 
 -- | The number that the configuration wants the next picture to have.
 firstNumber :: Configuration -> PictureNumber

@@ -22,13 +22,15 @@ module Dioptre.Render.View
     viewFar,
     pointAt,
     rayThrough,
+    projection,
   )
 where
 
 import Dioptre.Geometry.Ray (Ray, ray)
-import Dioptre.Math.Vector (Packed, Point, cross, packed, unit, unpacked, vector, (*^), (^/))
+import Dioptre.Math.Vector (Packed, Point, cross, dot, modulus, packed, unit, unpacked, vector, (*^), (^/))
 import Dioptre.Scene.Camera (Camera, CameraSettings (..), Viewport, cameraFront, cameraSettings, cameraUp, viewportHeight, viewportWidth)
-import Linear.V3 (V3)
+import Linear.V3 (V3 (..))
+import Linear.V4 (V4 (..))
 
 -- | A camera and a viewport, prepared.
 data View = View
@@ -93,3 +95,24 @@ rayThrough v !x !y = ray p (maybe (unpacked (viewFront v)) vector (unit (p - unp
   where
     !p = pointAt v x y
 {-# INLINE rayThrough #-}
+
+-- | Where a point of space is seen, as a matrix M: with (X, Y, W) = M (x, y, z, 1) it is at column X / W and row Y / W of the picture, in pixels from the top left corner, and in front of the eye where W > 0.
+--
+-- A point is seen along the line from the eye e to it, which crosses the picture's plane at c + r0 + u1 X\/W + u2 Y\/W. So p - e = X u1 + Y u2 + W k with k = c + r0 - e, and Cramer's rule gives the coordinates:
+--
+-- > X = (u2 x k) . (p - e) / D     Y = (k x u1) . (p - e) / D     W = (u1 x u2) . (p - e) / D     D = u1 . (u2 x k)
+--
+-- The three are measured in lengths of k, lest D is too small for a number where the near plane is very near.
+--
+-- Law: points of the ray through (x, y) are seen at (x, y).
+projection :: View -> V3 (V4 Double)
+projection v = rowOf <$> V3 (cross u2 k) (cross k u1) (cross u1 u2)
+  where
+    eye = unpacked (viewEye v)
+    away = unpacked (viewCorner v) - eye
+    measure = modulus away
+    k = away ^/ measure
+    u1 = unpacked (viewRight v) ^/ measure
+    u2 = unpacked (viewDown v) ^/ measure
+    determinant = dot u1 (cross u2 k)
+    rowOf direction' = let V3 x y z = direction' ^/ determinant in V4 x y z (negate (dot (V3 x y z) eye))

@@ -6,7 +6,6 @@ module Dioptre.Command.CommandSpec
   )
 where
 
-import Control.Exception (bracket, finally)
 import Control.Monad (forM_)
 import Data.Aeson (Value (..), decode)
 import qualified Data.Aeson.KeyMap as Keys
@@ -21,17 +20,16 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Check (Format (..), check)
 import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Heard (heard, inFolder, listeningTo)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (readConfiguration, run)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Syntax.Keyword (allSpellings)
-import GHC.IO.Handle (hDuplicate, hDuplicateTo)
-import System.Directory (createDirectory, doesFileExist, listDirectory, withCurrentDirectory)
+import qualified Network.WebSockets as WebSockets
+import System.Directory (createDirectory, doesFileExist, listDirectory)
 import System.Exit (ExitCode (..))
-import System.IO (Handle, hClose, hFlush, hSetEncoding, openTempFile, stderr, stdout, utf8)
-import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe)
 import Prelude hiding (compare)
 
@@ -180,12 +178,22 @@ spec = do
       (code, _, err) <- heard runHere
       code `shouldBe` ExitFailure 3
       forM_ ["'s.txt'", "scenes", "models"] (err `shouldContainText`)
-    it "does nothing for the application none, and draws for frame" . inFolder $ do
+    it "does nothing for the application none" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application none\nread_data s.txt\n"
       heard runHere >>= \(code, out, _) -> (code, out) `shouldBe` (ExitSuccess, "")
+    it "draws for frame as for console, and ends when its page is closed" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
-      heard runHere >>= \(code, out, _) -> (code, out) `shouldBe` (ExitSuccess, "ball_000.png\n")
+      (code, rest) <- listeningTo runHere $ \out -> do
+        address <- Text.hGetLine out
+        let port = maybe 0 fst (Chars.readInt (snd (Chars.breakEnd (== ':') (Text.encodeUtf8 address))))
+            host = "127.0.0.1:" <> Chars.pack (show port)
+        -- The page is open until the picture is there
+        WebSockets.runClientWith "127.0.0.1" port "/live" WebSockets.defaultConnectionOptions [("Origin", "http://" <> host)] (const (Text.hGetLine out))
+      (code, rest) `shouldBe` (ExitSuccess, "ball_000.png")
+      map Bytes.null <$> traverse Bytes.readFile ["ball_000.png", "out.txt"] >>= (`shouldBe` [False, False])
+      Text.readFile "configuration.cfg" >>= (`shouldContainText` "viewport_image_count\t1\n")
     it "writes no log and stays silent where it is asked to" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\nlog_console no\nlog_file 0\n"
@@ -246,23 +254,3 @@ sphereScene =
 
 shouldContainText :: Text -> Text -> IO ()
 shouldContainText text part = Text.unpack text `shouldContain` Text.unpack part
-
--- | Works in an empty folder of its own.
-inFolder :: IO a -> IO a
-inFolder work = withSystemTempDirectory "dioptre" (`withCurrentDirectory` work)
-
--- | What some work returns, and what it says on standard output and standard error.
-heard :: IO a -> IO (a, Text, Text)
-heard work = withSystemTempDirectory "heard" $ \folder -> do
-  (outPath, outHandle) <- openTempFile folder "out"
-  (errPath, errHandle) <- openTempFile folder "err"
-  mapM_ (`hSetEncoding` utf8) [outHandle, errHandle]
-  result <- diverted stdout outHandle (diverted stderr errHandle work)
-  (,,) result <$> (Text.decodeUtf8 <$> Bytes.readFile outPath) <*> (Text.decodeUtf8 <$> Bytes.readFile errPath)
-
--- | Sends what is written to one handle to another, which is closed in the end.
-diverted :: Handle -> Handle -> IO a -> IO a
-diverted from to work =
-  bracket (hFlush from >> hDuplicate from) restore (const (hDuplicateTo to from >> (work `finally` hFlush from))) `finally` hClose to
-  where
-    restore saved = hDuplicateTo saved from >> hSetEncoding from utf8 >> hClose saved

@@ -5,10 +5,8 @@
 -- Description : dioptre explain, as its users meet it
 module Dioptre.Command.ExplainSpec (spec) where
 
-import Control.Exception (bracket, finally)
 import Data.Aeson (Object, Value (..), decode)
 import qualified Data.Aeson.KeyMap as Keys
-import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -16,13 +14,10 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Check (Format (..))
 import Dioptre.Command.Explain
+import Dioptre.Command.Heard (heard, inFolder)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Source.Language (Language (..))
-import GHC.IO.Handle (hDuplicate, hDuplicateTo)
-import System.Directory (withCurrentDirectory)
 import System.Exit (ExitCode (..))
-import System.IO (Handle, hClose, hFlush, hSetEncoding, openTempFile, stderr, stdout, utf8)
-import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec
 
 spec :: Spec
@@ -67,23 +62,3 @@ spec = do
 
 shouldHold :: Text -> Text -> Expectation
 shouldHold text part = Text.unpack text `shouldContain` Text.unpack part
-
--- | Works in an empty folder of its own.
-inFolder :: IO a -> IO a
-inFolder work = withSystemTempDirectory "dioptre" (`withCurrentDirectory` work)
-
--- | What some work returns, and what it says on standard output and standard error.
-heard :: IO a -> IO (a, Text, Text)
-heard work = withSystemTempDirectory "heard" $ \folder -> do
-  (outPath, outHandle) <- openTempFile folder "out"
-  (errPath, errHandle) <- openTempFile folder "err"
-  mapM_ (`hSetEncoding` utf8) [outHandle, errHandle]
-  result <- diverted stdout outHandle (diverted stderr errHandle work)
-  (,,) result <$> (Text.decodeUtf8 <$> Bytes.readFile outPath) <*> (Text.decodeUtf8 <$> Bytes.readFile errPath)
-
--- | Sends what is written to one handle to another, which is closed in the end.
-diverted :: Handle -> Handle -> IO a -> IO a
-diverted from to work =
-  bracket (hFlush from >> hDuplicate from) restore (const (hDuplicateTo to from >> (work `finally` hFlush from))) `finally` hClose to
-  where
-    restore saved = hDuplicateTo saved from >> hSetEncoding from utf8 >> hClose saved

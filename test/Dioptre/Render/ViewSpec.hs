@@ -36,6 +36,7 @@ spec = do
       prop "pixels are square" pixelsAreSquare
       prop "right is right and down is down" rightIsRightAndDownIsDown
       prop "the picture is as high as the camera's angle" anglesAreTheCameras
+      prop "what a ray goes through is seen where it comes from" projectionIsTheWayBack
   where
     through w h = case (camera (CameraSettings 0 (V3 5 0 0) (V3 0 0 1) 60 1 50), viewport w h Text.empty) of
       (Right c, Right v) -> Just (view c v)

@@ -10,6 +10,7 @@ module Laws.View
     pixelsAreSquare,
     rightIsRightAndDownIsDown,
     anglesAreTheCameras,
+    projectionIsTheWayBack,
     offsetIsItsCorner,
     uniformIsExact,
     uniformIsBelowOne,
@@ -28,6 +29,8 @@ import Dioptre.Scene.Camera
 import Dioptre.Scene.Raytracer (PixelCoordinate (..), Raytracer (..), defaultRaytracer)
 import Laws.Draw
 import Laws.Exact
+import Linear.V3 (V3 (..))
+import Linear.V4 (V4 (..))
 import Test.QuickCheck hiding (vector)
 
 -- | A camera, a viewport, and a point of the picture in pixels.
@@ -146,6 +149,28 @@ anglesAreTheCameras seen@(Seen c v _) =
 
 -------------------------------------------------------------------------------
 -- Points of a pixel
+
+-- | A point that is some way along a pixel's ray is seen at the pixel's place, and in front of the eye; the one as far behind the eye is behind it.
+--
+-- The matrix's entries are quotients of products of four vectors' coordinates, by a determinant that is the smallest of such products where the camera's angle is largest (170 degrees, where the
+-- corner's direction is 5 degrees off the picture's plane: 1 \/ sin 5 degrees < 2^4). With a dozen roundings each that is less than 2^10 units of rounding of the largest terms, which are then added up.
+projectionIsTheWayBack :: Seen -> Property
+projectionIsTheWayBack seen@(Seen c _ (x, y)) = forAll ((2 **) <$> choose (0, 10)) $ \far ->
+  let v = seenView seen
+      eye = settingPosition (cameraSettings c)
+      away = pointAt v x y - eye
+      at side = eye + (side * far) *^ away
+      V3 across down ahead = projection v
+      seenAt p = let w = times ahead p in (times across p / w, times down p / w, w)
+      times (V4 a b d e) (V3 px py pz) = a * px + b * py + d * pz + e
+      size (V4 a b d e) (V3 px py pz) = abs (a * px) + abs (b * py) + abs (d * pz) + abs e
+      room row' place p w = 2 ^^ (-43 :: Int) * (size row' p + abs place * size ahead p) / abs w
+      close p =
+        let (x', y', w) = seenAt p
+         in counterexample (show (p, (x', y', w))) (abs (x' - x) <= room across x p w .&&. abs (y' - y) <= room down y p w)
+      (_, _, before) = seenAt (at 1)
+      (_, _, behind) = seenAt (at (-1))
+   in conjoin [close (at 1), close (at (-1)), property (before > 0), property (behind < 0)]
 
 -- | Every sample of every pixel goes through the same point, unless it is random.
 offsetIsItsCorner :: Property
