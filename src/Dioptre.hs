@@ -31,7 +31,21 @@
 --
 -- Everything so far is pure. What touches the world stands at the end: "Dioptre.Files.Whole" and its neighbours, and the commands.
 --
--- As a library, in GHCi:
+-- As a library, in a program, which reads a scene, tells what is wrong with it, and writes its picture:
+--
+-- > import qualified Data.ByteString as Bytes
+-- > import qualified Data.ByteString.Lazy as Lazy
+-- > import Dioptre
+-- >
+-- > main :: IO ()
+-- > main = do
+-- >   source <- decode "scene.txt" <$> Bytes.readFile "scene.txt"
+-- >   mapM_ (print . pretty English source) (complaints source)
+-- >   Lazy.writeFile "scene.png" (encode (draw source))
+--
+-- (A scene that names pictures or models needs those files as well: "Dioptre.Load" reads a scene with all of them.)
+--
+-- And in GHCi:
 --
 -- >>> :set -XOverloadedStrings
 -- >>> import Dioptre
@@ -61,6 +75,8 @@ module Dioptre
     Diagnostic (..),
     code,
     severity,
+    pretty,
+    Language (..),
     Plan,
     Picture,
     pictureWidth,
@@ -77,6 +93,8 @@ import Dioptre.Render.Row (Plan, plan)
 import Dioptre.Scene (Scene)
 import Dioptre.Scene.Check (checkScene)
 import Dioptre.Source.Diagnostic (Diagnostic (..), code, severity)
+import Dioptre.Source.Language (Language (..))
+import Dioptre.Source.Report (pretty)
 import Dioptre.Source.Text (Source, decode, fromText)
 import Dioptre.Syntax.Grammar (parse)
 import Dioptre.Syntax.Tree (Tree)

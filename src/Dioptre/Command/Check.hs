@@ -1,4 +1,5 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -7,6 +8,7 @@
 module Dioptre.Command.Check
   ( Format (..),
     check,
+    checkWithOriginal,
   )
 where
 
@@ -15,6 +17,7 @@ import Data.Aeson (encode, object, (.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (toLower)
 import Data.Either (lefts, rights)
+import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
@@ -24,9 +27,11 @@ import Dioptre.Files.Whole (readWhole)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Load (Loaded (..), loadScene)
 import Dioptre.Scene.Configuration (checkConfiguration)
+import Dioptre.Scene.Original (departures)
+import Dioptre.Source.Diagnostic (Diagnostic (..))
 import Dioptre.Source.Language (inLanguage)
 import Dioptre.Source.Report (pretty, summary, toJson)
-import Dioptre.Source.Text (decode, sourceName)
+import Dioptre.Source.Text (Source, decode, sourceName)
 import Dioptre.Syntax.Grammar (parse)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension)
@@ -39,8 +44,19 @@ data Format = AsText | AsJson
 -- | Prints the diagnostics of files on standard output: scenes with the files that they need, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
 -- cannot be read.
 check :: Journal -> Format -> [FilePath] -> IO ExitCode
-check journal format paths = do
-  results <- forM paths $ \path -> if isConfiguration path then checkedConfiguration path else fmap loadedDiagnostics <$> loadScene l path
+check = checked id
+
+-- | The same, with notes on what the original program does otherwise with the scenes ("Dioptre.Scene.Original"). Notes do not change the exit code.
+checkWithOriginal :: Journal -> Format -> [FilePath] -> IO ExitCode
+checkWithOriginal = checked $ \case
+  -- Of a scene and its files the scene comes first.
+  (source, diagnostics) : files -> (source, sortOn diagnosticSpan (diagnostics <> departures source (parse source) diagnostics)) : files
+  [] -> []
+
+-- | The diagnostics of files, of which those of a scene pass through the function.
+checked :: ([(Source, [Diagnostic])] -> [(Source, [Diagnostic])]) -> Journal -> Format -> [FilePath] -> IO ExitCode
+checked ofScene journal format paths = do
+  results <- forM paths $ \path -> if isConfiguration path then checkedConfiguration path else fmap (ofScene . loadedDiagnostics) <$> loadScene l path
   let files = concat (rights results)
   case format of
     AsText -> forM_ files $ \(source, diagnostics) -> do

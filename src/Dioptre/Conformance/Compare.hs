@@ -42,6 +42,10 @@ import Dioptre.Conformance.Protocol (binary64)
 import Dioptre.Syntax.Value (integer, real)
 import GHC.Float (castDoubleToWord64)
 
+-- $setup
+-- >>> :set -XOverloadedStrings
+-- >>> import Data.Aeson (toJSON)
+
 -- | How much a result may differ from the expected one.
 data Comparison
   = Exact

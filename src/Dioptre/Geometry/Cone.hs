@@ -50,6 +50,10 @@ import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, cross, dot, modulus, opposite, unit, vector, (*^))
 import GHC.Exts (build)
 
+-- $setup
+-- >>> import Dioptre.Geometry.Ray (ray)
+-- >>> import Linear.V3 (V3 (..))
+
 -- | Where a ray's line meets the cone with a base of radius R around P1 and its apex at P1 + H S: where it enters and where it leaves, or nothing.
 --
 -- Laws: a point strictly between the two is inside, and a point outside them is not; the cone beyond the apex is not there; a ray

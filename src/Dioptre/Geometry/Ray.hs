@@ -21,6 +21,9 @@ where
 
 import Dioptre.Math.Vector (Packed, Point, Vector, packed, quadrance, unpacked, (*^))
 
+-- $setup
+-- >>> import Linear.V3 (V3 (..))
+
 -- | An origin and a direction, in world space. The direction is not zero; it need not be of unit length.
 --
 -- Its third part is the quadrance of the direction, which planes and spheres ask for: computed once for all of them.

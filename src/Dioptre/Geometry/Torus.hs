@@ -55,11 +55,16 @@ import Dioptre.Math.Vector (Point, Unit, dot, modulus, opposite, quadrance, unit
 import GHC.Exts (build)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
+-- $setup
+-- >>> import Dioptre.Geometry.Ray (ray)
+-- >>> import Dioptre.Math.Vector (alongZ)
+-- >>> import Linear.V3 (V3 (..))
+
 -- | Every parameter at which a ray's line meets the torus around P, with axis n, of radii R and r, ascending, those behind the origin too. A ray that
 -- touches the torus does so twice; the number is even, 0, 2 or 4. The direction may have any length but zero.
 --
 -- Laws: each point is at distance r from the circle, with an error as of coordinates rounded to 2^-52 of the distance of the ray's origin, and
--- 2^-48 (R + r)^2 \/ r more; moving, turning and mirroring ray and torus together changes nothing else.
+-- 2^-48 (R + r)^4 \/ (4 r R rho) more, rho being its distance from the axis; moving, turning and mirroring ray and torus together changes nothing else.
 --
 -- >>> torusParameters 0 alongZ 2 1 (ray (V3 (-10) 0 0) (V3 1 0 0))
 -- [7.0,9.0,11.0,13.0]

@@ -47,6 +47,9 @@ import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, modulus, unit, vect
 import Linear.V2 (V2)
 import Linear.V3 (V3 (..))
 
+-- $setup
+-- >>> :set -XHexFloatLiterals
+
 -- | Something for each corner, in the order P0, P1, P2.
 data Corners a = Corners a a a
   deriving stock (Eq, Show, Functor, Foldable)

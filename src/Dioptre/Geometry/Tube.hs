@@ -34,10 +34,14 @@ import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, unit, vector)
 
+-- $setup
+-- >>> import Dioptre.Math.Vector (alongZ)
+-- >>> import Linear.V3 (V3 (..))
+
 -- | What a vector has across an axis: S x (v x S), which is orthogonal to S; zero for a vector along the axis, to rounding.
 --
--- >>> across alongZ (V3 1 2 3)
--- V3 1.0 2.0 0.0
+-- >>> across alongZ (V3 1 2 3) == V3 1 2 0
+-- True
 across :: Unit -> Vector -> Vector
 across s v = cross (vector s) (cross v (vector s))
 {-# INLINE across #-}

@@ -13,10 +13,13 @@ where
 
 import Dioptre.Light.Colour (Colour, rgb)
 
+-- $setup
+-- >>> import Dioptre.Light.Colour (Colour (..))
+
 -- | The colour of light of that wavelength, in nanometres (380 to 780 is visible); every channel is from 0 to 1.
 --
--- >>> colourOfWavelength 450
--- Colour {red = 0.4545400868735593, green = 0.0, blue = 0.9999999999999999, alpha = 1.0}
+-- >>> [round (255 * channel (colourOfWavelength 450)) | channel <- [red, green, blue]]
+-- [116,0,255]
 colourOfWavelength :: Double -> Colour
 colourOfWavelength l = rgb (channel red) (channel green) (channel blue)
   where

@@ -33,6 +33,9 @@ import Prettyprinter (Doc, annotate, fillSep, hang, hardline, indent)
 import qualified Prettyprinter as Doc
 import Prettyprinter.Render.Terminal (AnsiStyle, Color (..), bold, color)
 
+-- $setup
+-- >>> import Dioptre.Source.Language (Language (..))
+
 -- | How a terminal shows it; a log leaves the colours out.
 type Style = AnsiStyle
 
