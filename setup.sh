@@ -3,7 +3,7 @@
 # and the libraries of the distribution. It may be run as often as you like: it installs only what is missing.
 #
 #   ./setup.sh           what building, running and testing Dioptre needs
-#   ./setup.sh --gate    also what .ci/run needs: hlint, ormolu, shellcheck, python3, chromium
+#   ./setup.sh --gate    also what .ci/run needs: hlint, ormolu, doctest, shellcheck, python3, chromium
 #   ./setup.sh --dev     also what a contributor wants: the above, and povray for the timings
 #   ./setup.sh --help    this text
 #
