@@ -37,6 +37,7 @@ libraries='
   libghc-wai-websockets-dev
   libghc-warp-dev
   libghc-websockets-dev
+  libghc-zlib-dev
 '
 tools='ghc haskell-stack hspec-discover'
 # A library that only the benchmarks name goes here, on a line of its own like those above.

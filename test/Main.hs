@@ -4,9 +4,11 @@ module Main
   )
 where
 
+import qualified Dioptre.Command.CheckSpec
 import qualified Dioptre.Command.CommandSpec
 import qualified Dioptre.Command.ConformSpec
 import qualified Dioptre.Command.ExplainSpec
+import qualified Dioptre.Command.NewSpec
 import qualified Dioptre.Conformance.CompareSpec
 import qualified Dioptre.Conformance.ExampleSpec
 import qualified Dioptre.Conformance.LinesSpec
@@ -35,6 +37,7 @@ import qualified Dioptre.Geometry.ConeSpec
 import qualified Dioptre.Geometry.CubeSpec
 import qualified Dioptre.Geometry.CylinderSpec
 import qualified Dioptre.Geometry.DiskSpec
+import qualified Dioptre.Geometry.ExactSpec
 import qualified Dioptre.Geometry.HierarchySpec
 import qualified Dioptre.Geometry.LensSpec
 import qualified Dioptre.Geometry.MeshSpec
@@ -68,9 +71,12 @@ import qualified Dioptre.Model.SingleSpec
 import qualified Dioptre.Optics.ReflectionSpec
 import qualified Dioptre.Optics.RefractionSpec
 import qualified Dioptre.Picture.ByteSpec
+import qualified Dioptre.Picture.HeaderSpec
 import qualified Dioptre.Picture.PngSpec
 import qualified Dioptre.Picture.TextureFileSpec
+import qualified Dioptre.Picture.VettingSpec
 import qualified Dioptre.PictureSpec
+import qualified Dioptre.Render.DifferentialSpec
 import qualified Dioptre.Render.RowSpec
 import qualified Dioptre.Render.SamplingSpec
 import qualified Dioptre.Render.ShadeSpec
@@ -85,6 +91,7 @@ import qualified Dioptre.Scene.ConfigurationSpec
 import qualified Dioptre.Scene.FormSpec
 import qualified Dioptre.Scene.LightsSpec
 import qualified Dioptre.Scene.MaterialsSpec
+import qualified Dioptre.Scene.OriginalSpec
 import qualified Dioptre.Scene.RaytracerSpec
 import qualified Dioptre.Scene.ShapesSpec
 import qualified Dioptre.SceneSpec
@@ -97,8 +104,17 @@ import qualified Dioptre.Syntax.KeywordSpec
 import qualified Dioptre.Syntax.PrintSpec
 import qualified Dioptre.Syntax.SpellingSpec
 import qualified Dioptre.Syntax.ValueSpec
+import qualified Dioptre.View.DeskSpec
+import qualified Dioptre.View.FrameSpec
+import qualified Dioptre.View.GuardSpec
+import qualified Dioptre.View.NewsSpec
+import qualified Dioptre.View.ServerSpec
+import qualified DioptreSpec
+import qualified FuzzSpec
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding, utf8)
 import qualified GoldenSpec
+import qualified GuideSpec
+import qualified RobustnessSpec
 import qualified StructureSpec
 import System.IO (hSetEncoding, stderr, stdout)
 import Test.Hspec (Spec, describe, hspec)
@@ -114,9 +130,11 @@ main = do
 specs :: Spec
 specs = do
   describe "The house" StructureSpec.spec
+  describe "Dioptre.Command.Check" Dioptre.Command.CheckSpec.spec
   describe "Dioptre.Command.Command" Dioptre.Command.CommandSpec.spec
   describe "Dioptre.Command.Conform" Dioptre.Command.ConformSpec.spec
   describe "Dioptre.Command.Explain" Dioptre.Command.ExplainSpec.spec
+  describe "Dioptre.Command.New" Dioptre.Command.NewSpec.spec
   describe "Dioptre.Conformance.Compare" Dioptre.Conformance.CompareSpec.spec
   describe "Dioptre.Conformance.Example" Dioptre.Conformance.ExampleSpec.spec
   describe "Dioptre.Conformance.Lines" Dioptre.Conformance.LinesSpec.spec
@@ -145,6 +163,7 @@ specs = do
   describe "Dioptre.Geometry.Cube" Dioptre.Geometry.CubeSpec.spec
   describe "Dioptre.Geometry.Cylinder" Dioptre.Geometry.CylinderSpec.spec
   describe "Dioptre.Geometry.Disk" Dioptre.Geometry.DiskSpec.spec
+  describe "Dioptre.Geometry.Exact" Dioptre.Geometry.ExactSpec.spec
   describe "Dioptre.Geometry.Hierarchy" Dioptre.Geometry.HierarchySpec.spec
   describe "Dioptre.Geometry.Lens" Dioptre.Geometry.LensSpec.spec
   describe "Dioptre.Geometry.Mesh" Dioptre.Geometry.MeshSpec.spec
@@ -178,9 +197,12 @@ specs = do
   describe "Dioptre.Optics.Reflection" Dioptre.Optics.ReflectionSpec.spec
   describe "Dioptre.Optics.Refraction" Dioptre.Optics.RefractionSpec.spec
   describe "Dioptre.Picture.Byte" Dioptre.Picture.ByteSpec.spec
+  describe "Dioptre.Picture.Header" Dioptre.Picture.HeaderSpec.spec
   describe "Dioptre.Picture.Png" Dioptre.Picture.PngSpec.spec
   describe "Dioptre.Picture.TextureFile" Dioptre.Picture.TextureFileSpec.spec
+  describe "Dioptre.Picture.Vetting" Dioptre.Picture.VettingSpec.spec
   describe "Dioptre.Picture" Dioptre.PictureSpec.spec
+  describe "Dioptre.Render.Differential" Dioptre.Render.DifferentialSpec.spec
   describe "Dioptre.Render.Row" Dioptre.Render.RowSpec.spec
   describe "Dioptre.Render.Sampling" Dioptre.Render.SamplingSpec.spec
   describe "Dioptre.Render.Shade" Dioptre.Render.ShadeSpec.spec
@@ -195,6 +217,7 @@ specs = do
   describe "Dioptre.Scene.Form" Dioptre.Scene.FormSpec.spec
   describe "Dioptre.Scene.Lights" Dioptre.Scene.LightsSpec.spec
   describe "Dioptre.Scene.Materials" Dioptre.Scene.MaterialsSpec.spec
+  describe "Dioptre.Scene.Original" Dioptre.Scene.OriginalSpec.spec
   describe "Dioptre.Scene.Raytracer" Dioptre.Scene.RaytracerSpec.spec
   describe "Dioptre.Scene.Shapes" Dioptre.Scene.ShapesSpec.spec
   describe "Dioptre.Scene" Dioptre.SceneSpec.spec
@@ -207,4 +230,13 @@ specs = do
   describe "Dioptre.Syntax.Print" Dioptre.Syntax.PrintSpec.spec
   describe "Dioptre.Syntax.Spelling" Dioptre.Syntax.SpellingSpec.spec
   describe "Dioptre.Syntax.Value" Dioptre.Syntax.ValueSpec.spec
+  describe "Dioptre.View.Desk" Dioptre.View.DeskSpec.spec
+  describe "Dioptre.View.Frame" Dioptre.View.FrameSpec.spec
+  describe "Dioptre.View.Guard" Dioptre.View.GuardSpec.spec
+  describe "Dioptre.View.News" Dioptre.View.NewsSpec.spec
+  describe "Dioptre.View.Server" Dioptre.View.ServerSpec.spec
+  describe "Dioptre" DioptreSpec.spec
+  describe "Fuzz" FuzzSpec.spec
+  describe "Guide" GuideSpec.spec
+  describe "Robustness" RobustnessSpec.spec
   describe "Pictures" GoldenSpec.spec

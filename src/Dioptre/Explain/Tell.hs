@@ -24,7 +24,7 @@ import Dioptre.Explain.Story
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Prepared (isClosed, nearest, normalAt, parameters, shadingNormal, textureAt)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Light.Colour (Colour (..), black, plus, scaled)
+import Dioptre.Light.Colour (Colour (..), black, capped, plus, scaled)
 import Dioptre.Light.Finish (Finish (..), hasPictures, isTransparent)
 import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Vector (Point, Unit, Vector, angle, dot, modulus, opposite, packed, packedUnit, unpacked, vector, (^/))
@@ -312,7 +312,7 @@ bouncesOf setting depth (wr, wg, wb) index (Surface shape f) r p outward n numbe
     beyond = if leaving then mediumAt st (Just number) p else finishIndex f
     passes
       | leaving = (kt * wr, kt * wg, kt * wb)
-      | otherwise = let Colour tr tg tb _ = finishTint f in (tr * wr, tg * wg, tb * wb)
+      | otherwise = let Colour tr tg tb _ = finishTint f in (capped (tr * wr), capped (tg * wg), capped (tb * wb))
     (between, mirrored)
       | kr == 0 = (count, [])
       | otherwise = Bounce Reflection kr angleIn `first` going ByReflection (kr * wr, kr * wg, kr * wb) index (vector n) (reflected v n) count

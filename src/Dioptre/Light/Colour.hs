@@ -14,6 +14,8 @@ module Dioptre.Light.Colour
     scaled,
     filtered,
     plus,
+    brightest,
+    capped,
     named,
     names,
   )
@@ -51,6 +53,15 @@ filtered (Colour r g b a) (Colour r' g' b' _) = Colour (r * r') (g * g') (b * b'
 -- | Two lights together; as opaque as the first.
 plus :: Colour -> Colour -> Colour
 plus (Colour r g b a) (Colour r' g' b' _) = Colour (r + r') (g + g') (b + b') a
+
+-- | No light is brighter than this: 1e100, which is also the largest number of a scene. Colours, factors and tints multiply, and beyond some 1e308 there would be infinity, which times 0 is no number at all.
+brightest :: Double
+brightest = 1e100
+
+-- | A number that is not negative, or 'brightest' if it is larger.
+capped :: Double -> Double
+capped x = if x > brightest then brightest else x
+{-# INLINE capped #-}
 
 -- | The colour of that name, English or French, in any case.
 named :: Text -> Maybe Colour

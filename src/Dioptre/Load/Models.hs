@@ -45,14 +45,14 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Vector (Vector)
 import qualified Data.Vector as Vector
-import Dioptre.Load.Amount (Amount (..), ModelRead (..))
-import Dioptre.Load.Shelf
-import Dioptre.Files.Wording (fileFault)
 import Dioptre.Files.Fault (FileFault)
 import Dioptre.Files.Pieces (readPieces)
 import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Wording (fileFault)
 import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Light.Finish (Finish, hasPictures, withPictures)
+import Dioptre.Load.Amount (Amount (..), ModelRead (..))
+import Dioptre.Load.Shelf
 import Dioptre.Model.Agp (readAgp)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..))

@@ -26,7 +26,6 @@ module Dioptre.Load.Shelf
   )
 where
 
-import Control.Exception (SomeAsyncException (..), SomeException, evaluate, fromException, tryJust)
 import Control.Monad (forM)
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Trans.State.Strict (StateT, gets, modify')
@@ -38,11 +37,11 @@ import qualified Data.Map.Strict as Map
 import Data.Sequence (Seq)
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
-import qualified Data.Text as Text
-import Dioptre.Load.Amount (ModelRead)
-import Dioptre.Files.Wording (fileFault)
 import Dioptre.Files.Search (Place (..), SearchFault (..), search)
 import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Wording (fileFault)
+import Dioptre.Load.Amount (ModelRead)
+import Dioptre.Load.Decoding (attempted)
 import Dioptre.Model.Content (Content)
 import Dioptre.Model.Library (Instance)
 import Dioptre.Model.Mtl (Mtl)
@@ -148,10 +147,4 @@ loadTexture l (Found path file) =
   once shelfPictures (\m shelf -> shelf {shelfPictures = m}) file . liftIO $
     readWhole path >>= \case
       Left fault -> pure (Left (Unreadable (fileFault l fault)))
-      -- The decoder is not ours: what it throws on a broken file is its complaint.
-      Right bytes -> either (Left . Unreadable) (first Unreadable) <$> tryJust thrown (evaluate (decodeTexture path bytes) >>= traverse evaluate)
-  where
-    thrown :: SomeException -> Maybe Text
-    thrown e = case fromException e of
-      Just (SomeAsyncException _) -> Nothing
-      Nothing -> Just (Text.pack (takeWhile (/= '\n') (show e)))
+      Right bytes -> first Unreadable <$> attempted (decodeTexture path) bytes

@@ -44,7 +44,9 @@ module Dioptre.Math.Quartic
   )
 where
 
-import Data.Bits (shiftL, unsafeShiftR, xor, (.&.))
+import Data.Bits (shiftL, unsafeShiftR)
+import Dioptre.Math.ExactRoots (exactRoots)
+import Dioptre.Math.Ordinal (average, finite, ordinal, position)
 import Dioptre.Math.Roots (quadraticRoots)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
@@ -84,10 +86,6 @@ quarticRoots a b c d e
   | a == 0 = cubicRoots b c d e
   | e == 0 = withZero (cubicRoots a b c d)
   | otherwise = scaled quartic a b c d e
-
-finite :: Double -> Bool
-finite x = abs x <= 0x1.fffffffffffffp1023
-{-# INLINE finite #-}
 
 -- | Ascending roots, and one more that is zero.
 withZero :: [Double] -> [Double]
@@ -373,83 +371,6 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
         !h' = if below then h else x
         middle = if n < 20 then 0.5 * (l' + h') else ordinal (average (position l') (position h'))
 {-# NOINLINE root #-}
-
--------------------------------------------------------------------------------
--- In whole numbers
-
--- | The number of a double when they are counted from zero upwards and downwards, and back.
-position :: Double -> Int
-position x
-  | x < 0 = negate (fromIntegral (castDoubleToWord64 (negate x)))
-  | otherwise = fromIntegral (castDoubleToWord64 (abs x))
-
--- | The whole number in the middle, without the sum, which might overflow.
-average :: Int -> Int -> Int
-average i j = (i .&. j) + ((i `xor` j) `unsafeShiftR` 1)
-
-ordinal :: Int -> Double
-ordinal i
-  | i < 0 = negate (castWord64ToDouble (fromIntegral (negate i)))
-  | otherwise = castWord64ToDouble (fromIntegral i)
-
--- | The same roots by the same rule, with exact signs: Newton's method gives way to halving the doubles that remain. Each simple root is the double
--- nearest to it. Coefficients are finite, the first is not zero.
-exactRoots :: [Double] -> [Double]
-exactRoots coefficients = filter finite (concatMap (\(x, m) -> replicate m x) (exactChain (length numbers - 1) numbers))
-  where
-    parts = map decodeFloat coefficients
-    lowest = minimum [k | (n, k) <- parts, n /= 0]
-    numbers = [if n == 0 then 0 else n `shiftL` (k - lowest) | (n, k) <- parts]
-{-# NOINLINE exactRoots #-}
-
--- | Roots with multiplicities of a polynomial of a degree, from those of its derivative.
-exactChain :: Int -> [Integer] -> [(Double, Int)]
-exactChain 0 _ = []
-exactChain n p = go (negate top) (signAt (negate top)) (exactChain (n - 1) (zipWith (*) p (map toInteger [n, n - 1 .. 1])))
-  where
-    -- The place after the largest double: decodeFloat takes infinity for 2^1024.
-    top = position (1 / 0)
-    signAt = signum . evaluated p . dyadic . ordinal
-    go i s [] = crossing i s top (signAt top)
-    go i s ((c, m) : rest)
-      | touches c m = crossing i s j 0 ++ (c, m + 1) : go j 0 rest
-      | otherwise = crossing i s j s' ++ go j s' rest
-      where
-        j = position c
-        s' = signAt j
-    crossing i s j s'
-      | s * s' < 0 = [(halved i s j, 1)]
-      | otherwise = []
-    halved i s j
-      | j <= i + 1 = if s * signum (evaluated p (halfway i j)) > 0 then ordinal j else ordinal i
-      | s' == 0 = ordinal k
-      | s' == s = halved k s j
-      | otherwise = halved i s k
-      where
-        k = average i j
-        s' = signAt k
-    halfway i j = let (x, k) = dyadic (ordinal i); (y, l) = dyadic (ordinal j); h = max k l in ((x `shiftL` (h - k)) + (y `shiftL` (h - l)), h + 1)
-    touches c m = v == 0 || (4 * v `shiftL` (25 * (m + 1)) <= 3 * term && v `shiftL` 50 <= sizes)
-      where
-        x = dyadic c
-        v = abs (evaluated p x)
-        term = abs (evaluated (zipWith (*) p (map (`choose` (m + 1)) [n, n - 1 .. 0])) x)
-        sizes = evaluated (map abs p) (let (y, k) = x in (abs y, k))
-    choose i k = product (map toInteger [i - k + 1 .. i]) `div` product (map toInteger [1 .. k])
-
--- | A double as n \/ 2^k, k not negative.
-dyadic :: Double -> (Integer, Int)
-dyadic x
-  | k >= 0 = (n `shiftL` k, 0)
-  | otherwise = (n, negate k)
-  where
-    (n, k) = decodeFloat x
-
--- | p(n \/ 2^k) times 2^(k degree).
-evaluated :: [Integer] -> (Integer, Int) -> Integer
-evaluated p (n, k) = fst (foldl next (0, 0) p)
-  where
-    next (!v, !shift) a = (v * n + (a `shiftL` shift), shift + k)
 
 {- Note [Roots between critical points]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~

@@ -12,7 +12,7 @@ module Dioptre.Picture.Png
   )
 where
 
-import Codec.Picture (DynamicImage, Image (..), PixelRGBA8, convertRGBA8, decodeImage, encodePng)
+import Codec.Picture (DynamicImage, Image (..), PixelRGBA8, convertRGBA8, decodeBitmap, decodeGif, decodeJpeg, decodePng, encodePng)
 import Codec.Picture.Tga (decodeTga)
 import Data.Bits (testBit)
 import Data.ByteString (ByteString)
@@ -23,6 +23,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector.Storable as Storable
 import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWidth)
+import Dioptre.Picture.Header (Format (..), formatOf, isTooLarge, pixelsOf)
+import Dioptre.Picture.Vetting (vetted)
 import System.FilePath (takeExtension)
 
 -- | A picture as a PNG file: 8 bits a channel, with alpha.
@@ -31,11 +33,24 @@ import System.FilePath (takeExtension)
 encode :: Picture -> Lazy.ByteString
 encode p = encodePng (Image (pictureWidth p) (pictureHeight p) (pictureBytes p) :: Image PixelRGBA8)
 
--- | The picture in a file of any format that JuicyPixels knows, or its complaint.
+-- | The picture in a file of any of the formats of "Dioptre.Picture.Header", or why there is none.
 decode :: ByteString -> Either Text Picture
-decode bytes = case decodeImage bytes of
-  Left complaint -> Left (Text.pack complaint)
-  Right dynamic -> fromDynamic dynamic
+decode bytes = decodeWith decoder bytes
+  where
+    decoder = case formatOf bytes of
+      Png -> decodePng
+      Gif -> decodeGif
+      Bmp -> decodeBitmap
+      Jpeg -> decodeJpeg
+      Tga -> decodeTga
+
+-- | What a decoder makes of a file that is not too large for it.
+decodeWith :: (ByteString -> Either String DynamicImage) -> ByteString -> Either Text Picture
+decodeWith decoder bytes
+  | isTooLarge bytes = Left (Text.pack ("the picture would have " <> show (pixelsOf bytes) <> " pixels"))
+  | otherwise = do
+    sound <- vetted bytes
+    either (Left . Text.pack) fromDynamic (decoder sound)
 
 fromDynamic :: DynamicImage -> Either Text Picture
 fromDynamic dynamic
@@ -51,9 +66,7 @@ decodeTexture :: FilePath -> ByteString -> Either Text Picture
 decodeTexture path bytes
   | map toLower (takeExtension path) /= ".tga" = decode bytes
   | isCutOff = Left (Text.pack "the file is cut off")
-  | otherwise = case decodeTga bytes of
-    Left complaint -> Left (Text.pack complaint)
-    Right dynamic -> storedOrder <$> fromDynamic dynamic
+  | otherwise = storedOrder <$> decodeWith decodeTga bytes
   where
     storedOrder p
       | Bytes.length bytes > 17 && not (testBit (Bytes.index bytes 17) 5) = turned p

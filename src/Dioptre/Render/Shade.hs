@@ -38,7 +38,7 @@ import qualified Data.Vector as Vector
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Prepared (isClosed, normalAt, shadingNormal, textureAt)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Light.Colour (Colour (..), black, filtered, plus, scaled)
+import Dioptre.Light.Colour (Colour (..), black, capped, filtered, plus, scaled)
 import Dioptre.Light.Finish (Finish (..), Layer (..), hasPictures, isTransparent)
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
@@ -137,7 +137,7 @@ follow s terms far = go 0 0 0 black
              in onwards stack (mediumAt s (Just i) p) (kt * wr) (kt * wg) (kt * wb)
           | otherwise =
             let Colour tr tg tb _ = finishTint f
-             in onwards stack (finishIndex f) (tr * wr) (tg * wg) (tb * wb)
+             in onwards stack (finishIndex f) (capped (tr * wr)) (capped (tg * wg)) (capped (tb * wb))
           where
             onwards below' beyond r' g' b' = case refracted v n index beyond of
               Nothing -> below'
@@ -152,7 +152,8 @@ lighting s terms !colours !p !n !v = go (0 :: Int) 0 0 0 0 0
   where
     !sources = stageSources s
     go !k !red' !green' !blue' !rays !tests
-      | k >= Vector.length sources = Lit red' green' blue' rays tests
+      -- One light may be infinitely bright by now, but none is NaN: its factors are finite.
+      | k >= Vector.length sources = Lit (capped red') (capped green') (capped blue') rays tests
       | otherwise = case illuminated s terms colours p n v (Vector.unsafeIndex sources k) of
         Lit r' g' b' m tried -> go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m) (tests + tried)
 
@@ -184,7 +185,7 @@ illuminated s terms !colours !at !normal !view source = case source of
     -- From a place, with attenuation; nothing from the very place itself, or where the attenuation divides by zero.
     from place amplification attenuators shine
       | distance' == 0 || denominator == 0 = Lit 0 0 0 0 0
-      | otherwise = arriving d distance' (shine d (amplification / denominator))
+      | otherwise = arriving d distance' (shine d (capped (amplification / denominator)))
       where
         between = p - unpacked place
         distance' = modulus between
@@ -241,7 +242,7 @@ passage w !r !bound = case obstacles w r bound of
     | null through -> Passage Clear tests
     | otherwise -> Passage (foldl' tinted (Tinted 1 1 1) (sortOn fst through)) tests
   where
-    tinted (Tinted r' g' b') (_, f) = let Colour x y z _ = finishTint f in Tinted (r' * x) (g' * y) (b' * z)
+    tinted (Tinted r' g' b') (_, f) = let Colour x y z _ = finishTint f in Tinted (capped (r' * x)) (capped (g' * y)) (capped (b' * z))
     tinted other _ = other
 
 throughFilter :: Colour -> Way -> Colour

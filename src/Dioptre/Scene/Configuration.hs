@@ -34,11 +34,11 @@ import Dioptre.Scene.Form (Form (..), booleanForm, choice, integerWithin, option
 import Dioptre.Scene.Schema
 import Dioptre.Source.Diagnostic (Diagnostic, Expectation, PassedOver (TheLine), Problem (..), Refusal (NameTaken))
 import Dioptre.Source.Language (Language, languageNames)
-import Dioptre.Source.Span (wholeFile)
+import Dioptre.Source.Span (Span (..), wholeFile)
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline (Group), printOutline)
-import Dioptre.Syntax.Tree (Block (..), Closing (ByEnd), Head (..), Node (..), Property (..), Tree)
+import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..), Property (..), Tree, Value (..))
 
 -- | What a configuration says.
 data Configuration = Configuration
@@ -81,14 +81,24 @@ defaultSceneFile :: Text
 defaultSceneFile = "default_scene.txt"
 
 -- | The configuration that a tree describes, and all that is wrong with it. What is written never bears the name of what is read, or of
--- the other thing that is written.
+-- the other thing that is written. There are no objects in it: a word that would open one is a line like the others, and so is what would stand in it.
 checkConfiguration :: Tree -> (Configuration, [Diagnostic])
-checkConfiguration tree = runCheck $ do
+checkConfiguration withObjects = runCheck $ do
   read' <- fromMaybe unsaid <$> readWholeFile schema "configuration" tree
   written <- apart Keyword.WriteData outputName [configurationRead read'] (configurationWrite read') (configurationWrite unsaid)
   logged <- apart Keyword.LogFileName logName [configurationRead read', written] (configurationLogName read') (configurationLogName unsaid)
   pure read' {configurationWrite = written, configurationLogName = logged}
   where
+    tree = foldr asLines [] withObjects
+    -- In front of what follows: the depth of objects in objects costs nothing.
+    asLines node following = case node of
+      Object (Block word nodes closing) -> asLine word : foldr asLines (ends closing following) nodes
+      _ -> node : following
+    ends closing following = case closing of
+      ByMisspeltEnd word -> asLine word : following
+      _ -> following
+    asLine word = Statement (Property word (Value (behind (headSpan word)) ""))
+    behind (Span line _ end) = Span line end end
     apart word form others name instead
       | not (clashes name) = pure name
       | otherwise = do

@@ -192,7 +192,7 @@ spec = do
         -- The page is open until the picture is there
         WebSockets.runClientWith "127.0.0.1" port "/live" WebSockets.defaultConnectionOptions [("Origin", "http://" <> host)] (const (Text.hGetLine out))
       (code, rest) `shouldBe` (ExitSuccess, "ball_000.png")
-      map Bytes.null <$> traverse Bytes.readFile ["ball_000.png", "out.txt"] >>= (`shouldBe` [False, False])
+      traverse Bytes.readFile ["ball_000.png", "out.txt"] >>= (`shouldBe` [False, False]) . map Bytes.null
       Text.readFile "configuration.cfg" >>= (`shouldContainText` "viewport_image_count\t1\n")
     it "writes no log and stays silent where it is asked to" . inFolder $ do
       Text.writeFile "s.txt" sphereScene

@@ -56,11 +56,16 @@ spec = do
                      ]
                    )
     it "tells words that it does not have, and reads on" $ do
-      let (c, ds) = readConfiguration ["aplication 2", "sphere", "ray 1", "end", "angle 3", "end", "log_file no"]
+      let (c, ds) = readConfiguration ["aplication 2", "angle 3", "end", "log_file no"]
       configurationLogFile c `shouldBe` False
       map (\(Diagnostic s p) -> (code p, spanLine s, spanColumn s, spanEndColumn s)) ds
-        `shouldBe` [("unknown-word", 1, 1, 11), ("misplaced-word", 2, 1, 7), ("misplaced-word", 5, 1, 6), ("stray-end", 6, 1, 4)]
+        `shouldBe` [("unknown-word", 1, 1, 11), ("misplaced-word", 2, 1, 6), ("stray-end", 3, 1, 4)]
       [g | Diagnostic _ (UnknownWord _ _ g _) <- ds] `shouldBe` [Just "application"]
+    it "has no objects: words that would open one hide nothing behind them" $ do
+      let (c, ds) = readConfiguration ["sphere", "ray 1", "log_file no", "end", "nobody", "viewport_image_count 7", "camera", "log_console no"]
+      (configurationLogFile c, configurationImageCount c, configurationLogConsole c) `shouldBe` (False, 7, False)
+      map (\(Diagnostic s p) -> (code p, spanLine s, spanColumn s, spanEndColumn s)) ds
+        `shouldBe` [("misplaced-word", 1, 1, 7), ("misplaced-word", 2, 1, 4), ("unknown-word", 5, 1, 7), ("misplaced-word", 7, 1, 7)]
     it "never writes over what it reads, nor over itself, nor twice to one file" $ do
       clashing ["read_data a.txt", "write_data A.txt"] `shouldBe` [("write_data", 2, 12, 17)]
       clashing ["write_data configuration.cfg"] `shouldBe` [("write_data", 1, 12, 29)]

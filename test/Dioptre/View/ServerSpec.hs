@@ -288,7 +288,7 @@ rowsUntilDone c = do
     WebSockets.Binary bytes -> (rows (Lazy.toStrict bytes) <>) <$> rowsUntilDone c
     WebSockets.Text _ _ -> rowsUntilDone c
   where
-    rows bytes = let [kind, _, size, count] = map (word bytes) [0, 1, 2, 3] in [(kind == 1, word (Bytes.drop (16 + i * (size + 4)) bytes) 0) | i <- [0 .. count - 1]]
+    rows bytes = [(word bytes 0 == 1, word (Bytes.drop (16 + i * (word bytes 2 + 4)) bytes) 0) | i <- [0 .. word bytes 3 - 1]]
     word bytes i = sum [fromIntegral (Bytes.index bytes (4 * i + k)) * 256 ^ k | k <- [0 .. 3]] :: Int
 
 valueAt :: Json.Key -> Value -> Maybe Value
