@@ -14,13 +14,13 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Vector.Storable as Storable
-import Dioptre.Load
-import Dioptre.Load.Amount (Amount (..), ModelRead (..))
 import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Geometry.Shape (Shape (ASphere))
 import Dioptre.Geometry.Sphere (sphereRadius)
 import Dioptre.Light.Colour (rgb)
 import Dioptre.Light.Finish (Finish (..), Layer (..))
+import Dioptre.Load
+import Dioptre.Load.Amount (Amount (..), ModelRead (..))
 import Dioptre.Math.Transform (transformTranslation)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..))

@@ -124,7 +124,7 @@ draw journal configuration = withSource journal configuration $ \(source, _) -> 
   where
     l = journalLanguage journal
 
--- | Shows the scene in the browser while it is drawn, and leaves what 'draw' leaves as soon as it is; ends when its page is closed. A picture that is too large for the page is drawn without it.
+-- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. A picture that is too large for the page is drawn without it.
 frame :: Journal -> Configuration -> IO ExitCode
 frame journal configuration = withSource journal configuration $ \scene ->
   viewing journal (ViewOptions Nothing True) True scene $ \viewer ->

@@ -62,15 +62,17 @@ data PreparedMesh = PreparedMesh
     -- | The triangle at each place.
     numberAt :: !(PrimArray Int32),
     -- | The place of each triangle, or of the one before it that has the same corners.
-    placeOf :: !(PrimArray Int32)
+    placeOf :: !(PrimArray Int32),
+    -- | Three numbers for each normal of the mesh: the same made unit, or zeros where that cannot be.
+    unitsOf :: !(PrimArray Double)
   }
   deriving stock (Eq, Show)
 
--- | A mesh made ready. Cost: that of its 'hierarchy', and 104 bytes a triangle.
+-- | A mesh made ready. Cost: that of its 'hierarchy', and 104 bytes a triangle and 24 a normal.
 --
 -- Where a leaf is crowded because many triangles are one and the same, only the first of them is kept: it is the one that is met. (A file may name a face a million times.)
 prepareMesh :: Mesh -> PreparedMesh
-prepareMesh m = PreparedMesh m h corners normals numbers places
+prepareMesh m = PreparedMesh m h corners normals numbers places units
   where
     everything = generatePrimArray (meshSize m) id
     whole = over everything
@@ -98,6 +100,10 @@ prepareMesh m = PreparedMesh m h corners normals numbers places
       target <- newPrimArray (meshSize m)
       forM_ [0 .. count - 1] $ \place -> writePrimArray target (number place) (fromIntegral place)
       forM_ (IntMap.toList again) $ \(i, first) -> readPrimArray target first >>= writePrimArray target i
+      pure target
+    units = runPrimArray $ do
+      target <- newPrimArray (Vector.length (meshNormals m))
+      forM_ [0 .. Vector.length (meshNormals m) `div` 3 - 1] $ \j -> put target (3 * j) (maybe 0 vector (unit (meshNormal m j)))
       pure target
     put target k (V3 x y z) = do
       writePrimArray target k x
@@ -141,9 +147,12 @@ preparedTriangle p !i
     at = indexPrimArray (cornersAt p)
     n = unpackedUnit (packed (V3 (along 0) (along 1) (along 2)))
     along k = indexPrimArray (normalsAt p) (3 * place + k)
-    normalAtCorner k = fromMaybe n . unit $ case cornerNormal m i k of
-      Just v | v /= 0 -> v
-      _ -> vector n
+    normalAtCorner k
+      | j >= 0, made /= 0 = unpackedUnit (packed made)
+      | otherwise = fromMaybe n (unit (vector n))
+      where
+        !j = attribute (meshCornerNormals m) i k
+        made = V3 (indexPrimArray (unitsOf p) (3 * j)) (indexPrimArray (unitsOf p) (3 * j + 1)) (indexPrimArray (unitsOf p) (3 * j + 2))
     {-# INLINE normalAtCorner #-}
 
 -- | Whether a triangle has a normal or a texture coordinate at any corner.
@@ -160,10 +169,13 @@ attribute numbers i k = maybe (-1) fromIntegral (numbers Vector.!? (3 * i + k))
 cornerNormal :: Mesh -> Int -> Int -> Maybe Vector
 cornerNormal m i k
   | j < 0 = Nothing
-  | otherwise = Just (V3 (meshNormals m Vector.! (3 * j)) (meshNormals m Vector.! (3 * j + 1)) (meshNormals m Vector.! (3 * j + 2)))
+  | otherwise = Just (meshNormal m j)
   where
     j = attribute (meshCornerNormals m) i k
-{-# INLINE cornerNormal #-}
+
+-- | The normal of a number, as the mesh has it.
+meshNormal :: Mesh -> Int -> Vector
+meshNormal m j = V3 (meshNormals m Vector.! (3 * j)) (meshNormals m Vector.! (3 * j + 1)) (meshNormals m Vector.! (3 * j + 2))
 
 cornerUvs :: Mesh -> Int -> Corners (V2 Double)
 cornerUvs m i = uv . attribute (meshCornerUvs m) i <$> Corners 0 1 2

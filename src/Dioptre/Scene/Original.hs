@@ -50,6 +50,7 @@ import Dioptre.Scene.Primitive (Model (..), Primitive (..), modelSchema, primiti
 import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, raytracerSchema)
 import Dioptre.Scene.Schema (Schema, placeOfValue, readObject, runCheck)
 import Dioptre.Scene.Shapes (readShape)
+import Dioptre.Source.Departure (Departure (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, sourceText)

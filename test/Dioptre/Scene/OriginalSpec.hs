@@ -11,6 +11,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Scene.Original (departures)
+import Dioptre.Source.Departure (Departure (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Source.Message (message, used)
