@@ -1,4 +1,4 @@
-"""Reading PNG files and comparing pictures, with the standard library alone."""
+"""Reading PNG files and raw pictures, and comparing them, with the standard library alone."""
 
 import struct
 import zlib
@@ -70,9 +70,21 @@ def paeth(left, up, corner):
     return up if abs(guess - up) <= abs(guess - corner) else corner
 
 
+def raw_rows(path, width):
+    """The same of a file of nothing but 8-bit RGBA, so wide."""
+    data, stride = path.read_bytes(), 4 * width
+    if len(data) % stride:
+        raise ValueError(f"{path}: not a picture of {width} columns")
+    return width, 4, [data[place : place + stride] for place in range(0, len(data), stride)]
+
+
 def differing(a, b):
-    """How many pixels there are, and how many of them differ by more than LEVELS. Alpha is not compared."""
-    (width, channels_a, rows_a), (width_b, channels_b, rows_b) = png_rows(a), png_rows(b)
+    """How many pixels there are, and how many of them differ by more than LEVELS. Alpha is not compared.
+
+    Both are PNG files, or the second is raw RGBA, of the first one's width.
+    """
+    width, channels_a, rows_a = png_rows(a)
+    width_b, channels_b, rows_b = raw_rows(b, width) if b.suffix == ".rgba" else png_rows(b)
     if width != width_b or len(rows_a) != len(rows_b):
         raise ValueError(f"{a} and {b} are of different sizes")
     count = 0

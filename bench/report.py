@@ -60,6 +60,25 @@ def others():
     return lines
 
 
+def scalar():
+    r = results("scalar")
+    if not r:
+        return []
+    rows = [
+        [
+            f"[{row['scene']}](../bench/{row['scene']}/)",
+            f"{row['speed_of_scalars']:g}",
+            f"{row['ray_ns']:g} ns",
+            f"{row['scalar_ray_ns']:g} ns",
+            f"{row['rays']}",
+            f"{row['scalar_rays']}",
+            f"{row['pixels_apart_percent']:g}%",
+        ]
+        for row in r["rows"]
+    ]
+    return table(["scene", "our speed by its", "a ray", "its", "rays", "its", "pixels that differ"], rows)
+
+
 def growth():
     r = results("growth")
     if not r:
@@ -105,7 +124,7 @@ def obj():
     ]
 
 
-PARTS = {"scenes": scenes, "others": others, "growth": growth, "obj": obj}
+PARTS = {"scenes": scenes, "others": others, "scalar": scalar, "growth": growth, "obj": obj}
 
 
 def write_report():
