@@ -137,8 +137,8 @@ fateText l fate = case fate of
 -- | What was measured at a root, where it says more than the equations.
 measureText :: Language -> Root -> Text
 measureText l root = case rootMeasure root of
-  AwayFromCentre away radius -> say ": the point is " "\xA0: le point est à " <> showReal away <> say " from the centre, " " du centre, " <> (if outside then say "more than R = " "plus que R = " else say "at most R = " "au plus R = ") <> showReal radius
-  InTheHole away radius -> say ": the point is " "\xA0: le point est à " <> showReal away <> say " from the centre, less than " " du centre, moins que " <> showReal radius
+  AwayFromCentre away radius -> say ": the point is " "\xA0: le point est à " <> showReal away <> say " from the centre, " " du centre, " <> (if outside then say "more than R = " "plus de R = " else say "at most R = " "au plus R = ") <> showReal radius
+  InTheHole away radius -> say ": the point is " "\xA0: le point est à " <> showReal away <> say " from the centre, less than " " du centre, moins de " <> showReal radius
   Barycentric t1 t2 -> ": t1 = " <> showReal t1 <> ", t2 = " <> showReal t2 <> ", 1 - t1 - t2 = " <> showReal (1 - t1 - t2) <> (if outside then say "; on the triangle none is negative" "\xA0; sur le triangle, aucun n'est négatif" else "")
   AtHeight height len -> say ": at the height " "\xA0: à la hauteur " <> showReal height <> (if outside then say ", not from 0 to " ", pas de 0 à " else say ", from 0 to " ", de 0 à ") <> showReal len
   SideOfDisk -> if outside then say ": on the other side of the disk" "\xA0: de l'autre côté du disque" else ""
