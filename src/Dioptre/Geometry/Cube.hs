@@ -63,17 +63,18 @@ cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
       !(Slab nearZ farZ) = slab (cz - h) (cz + h) oz dz
       !(Slab nearY farY) = slab (cy - h) (cy + h) oy dy
       !enterYZ = larger nearZ nearY
-      !leaveYZ = smaller farZ farY
-   in -- Most lines miss in two of the three slabs already.
-      if enterYZ > leaveYZ
-        then nil
-        else
+      !leaveYZ = smaller farY farZ
+   in -- Most lines miss in two of the three slabs already. A ray whose numbers left the range on the way here has slabs from NaN to NaN: of two such ends the second one is kept, so that one of the
+      -- comparisons below is false.
+      if enterYZ <= leaveYZ
+        then
           let !(Slab nearX farX) = slab (cx - h) (cx + h) ox dx
               !enter = larger enterYZ nearX
               !leave = smaller leaveYZ farX
               !inside = leave - enter
            in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
               if inside >= 0 && inside <= largestFinite then cons enter (cons leave nil) else nil
+        else nil
 {-# INLINE cubeParameters #-}
 
 -- | The interval in which a line is inside a slab.
