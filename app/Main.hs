@@ -131,8 +131,8 @@ program l =
           )
         <> footer
           ( say
-              "Exit codes: 0 done, 1 faults under check or --strict, or a difference, 2 wrong usage, 3 a file that cannot be read or written, 70 a bug of ours."
-              "Codes de sortie\xA0: 0 terminé, 1 fautes avec check ou --strict, ou une différence, 2 mauvais usage, 3 fichier illisible ou impossible à écrire, 70 erreur de notre part."
+              "Exit codes: 0 done, 1 faults under check or --strict, or a difference, 2 wrong usage, 3 a file that cannot be read or written, 70 a bug of ours, 130 stopped by Ctrl-C."
+              "Codes de sortie\xA0: 0 terminé, 1 fautes avec check ou --strict, ou une différence, 2 mauvais usage, 3 fichier illisible ou impossible à écrire, 70 erreur de notre part, 130 arrêté par Ctrl-C."
           )
     )
   where

@@ -16,9 +16,8 @@ import Data.List (isPrefixOf, isSuffixOf, sort, tails)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
-import Dioptre.Explain.Tell (tell)
 import Dioptre.Explain.Wording (storyText)
-import Dioptre.Load (Loaded (..), loadScene)
+import Dioptre.Load (Loaded (..), loadScene, storyAt)
 import Dioptre.Source.Language (Language (..))
 import System.Directory (listDirectory)
 import Test.Hspec (Expectation, Spec, describe, expectationFailure, it, runIO, shouldBe, shouldSatisfy)
@@ -95,8 +94,7 @@ isTold l command excerpt = case question command of
       Just y <- readMaybe (Text.unpack row) -> do
       loaded <- loadScene l (Text.unpack scene) >>= either (fail . Text.unpack) pure
       sum (map (length . snd) (loadedDiagnostics loaded)) `shouldBe` 0
-      -- None of the guide's scenes has models.
-      case tell (loadedAssets loaded) [] (loadedLibrary loaded) (loadedScene loaded) x y of
+      case storyAt loaded x y of
         Nothing -> expectationFailure "the pixel is outside of the picture"
         Just story -> do
           let told = Text.lines (storyText l scene story)

@@ -5,11 +5,16 @@
 -- Module      : Dioptre.Load
 -- Description : From a path to a scene or a picture
 module Dioptre.Load
-  ( Loaded (..),
+  ( -- * Loading
+    Loaded (..),
     loadScene,
     loadSource,
     loadPicture,
     drawnOrLoaded,
+
+    -- * What becomes of a scene
+    loadedPlan,
+    storyAt,
   )
 where
 
@@ -20,10 +25,13 @@ import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.Text (Text)
+import qualified Data.Text as Text
 import qualified Data.Vector as Vector
+import Dioptre.Explain.Story (Story)
+import Dioptre.Explain.Tell (tell)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Files.Wording (fileFault, undecodable)
-import Dioptre.Load.Amount (ModelRead)
+import Dioptre.Load.Amount (ModelRead (..))
 import Dioptre.Load.Decoding (attempted)
 import Dioptre.Load.Models (loadModels, sceneSite)
 import Dioptre.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
@@ -31,7 +39,7 @@ import Dioptre.Model.Library (Library (..))
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (decode)
 import Dioptre.Render (renderWith)
-import Dioptre.Render.Row (plan)
+import Dioptre.Render.Row (Plan, plan)
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Scene (Scene)
 import Dioptre.Scene.Check (checkSceneFile, pictureNames)
@@ -93,5 +101,16 @@ drawnOrLoaded l path
       Left fault -> pure (Left fault)
       Right scene -> do
         workers <- getNumCapabilities
-        (drawn, _) <- renderWith workers (pure ()) (plan (loadedAssets scene) (loadedLibrary scene) (loadedScene scene))
+        (drawn, _) <- renderWith workers (pure ()) (loadedPlan scene)
         pure (Right (drawn, Just scene))
+
+-- | The plan of a scene's whole picture.
+loadedPlan :: Loaded -> Plan
+loadedPlan loaded = plan (loadedAssets loaded) (loadedLibrary loaded) (loadedScene loaded)
+
+-- | The story of the pixel at a column and a row of a scene's picture; 'Nothing' outside of it.
+storyAt :: Loaded -> Int -> Int -> Maybe Story
+storyAt loaded = tell (loadedAssets loaded) files (loadedLibrary loaded) (loadedScene loaded)
+  where
+    -- A model comes into the library as its reading ends: its number there is its place among those read.
+    files = map (Text.pack . modelReadPath) (loadedModels loaded)

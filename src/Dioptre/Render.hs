@@ -1,3 +1,5 @@
+{-# LANGUAGE DerivingStrategies #-}
+
 -- |
 -- Module      : Dioptre.Render
 -- Description : A whole picture from a plan
@@ -25,6 +27,7 @@ data Tally = Tally
     -- | How many samples wanted more rays than are followed.
     tallyCut :: !Int
   }
+  deriving stock (Eq, Show)
 
 instance Semigroup Tally where
   Tally a b c <> Tally d e f = Tally (a + d) (b + e) (c + f)

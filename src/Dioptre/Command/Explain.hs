@@ -16,10 +16,8 @@ import Dioptre.Command.Check (Format (..))
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
 import Dioptre.Command.Render (sayDiagnostics)
 import Dioptre.Explain.Json (storyJson)
-import Dioptre.Explain.Tell (tell)
 import Dioptre.Explain.Wording (storyText)
-import Dioptre.Load (Loaded (..), loadScene)
-import Dioptre.Load.Amount (ModelRead (..))
+import Dioptre.Load (Loaded (..), loadScene, storyAt)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Source.Language (inLanguage)
@@ -34,8 +32,7 @@ explain journal format path column row = do
     Left fault -> ExitFailure 3 <$ sayFault journal fault
     Right loaded -> do
       sayDiagnostics journal (loadedDiagnostics loaded)
-      -- A model comes into the library as its reading ends: its number there is its place among those read.
-      case tell (loadedAssets loaded) (map (Text.pack . modelReadPath) (loadedModels loaded)) (loadedLibrary loaded) (loadedScene loaded) column row of
+      case storyAt loaded column row of
         Nothing -> ExitFailure 2 <$ sayFault journal (outside (sceneViewport (loadedScene loaded)))
         Just story -> do
           case format of

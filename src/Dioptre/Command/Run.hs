@@ -35,11 +35,11 @@ import Dioptre.Files.Number (PictureNumber, next, pictureNumber, writeNumbered)
 import Dioptre.Files.Search (search)
 import Dioptre.Files.Whole (readWhole, writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
-import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource)
+import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedPlan)
 import Dioptre.Picture (Difference (Equal), Picture, difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
-import Dioptre.Render.Row (plan, planExtent)
+import Dioptre.Render.Row (planExtent)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (viewportImage)
 import Dioptre.Scene.Configuration
@@ -116,7 +116,7 @@ draw :: Journal -> Configuration -> IO ExitCode
 draw journal configuration = withSource journal configuration $ \(source, _) -> do
   (reading, loaded) <- timed (loadSource l source)
   sayScene journal loaded (inLanguage l "; read in " "\xA0; lue en " <> seconds reading)
-  let planned = plan (loadedAssets loaded) (loadedLibrary loaded) (loadedScene loaded)
+  let planned = loadedPlan loaded
   (indexing, size) <- timed (evaluate (planExtent planned))
   sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
   (tracing, (image, tally)) <- timed (traced journal planned)
@@ -124,7 +124,8 @@ draw journal configuration = withSource journal configuration $ \(source, _) -> 
   where
     l = journalLanguage journal
 
--- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. A picture that is too large for the page is drawn without it.
+-- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. What it leaves is the first
+-- picture that is finished: of the scene as it was changed, if somebody changed it before. A picture that is too large for the page is drawn without it.
 frame :: Journal -> Configuration -> IO ExitCode
 frame journal configuration = withSource journal configuration $ \scene ->
   viewing journal (ViewOptions Nothing True) True scene $ \viewer ->

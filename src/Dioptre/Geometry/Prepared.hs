@@ -73,7 +73,12 @@ data Prepared
     Triangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
   | -- | Three corners, unit normal, the corners' unit normals and texture coordinates.
     SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed !(Corners (V2 Double))
-  | Tube {-# UNPACK #-} !Axial
+  | Rare !Rare
+  deriving stock (Eq, Show)
+
+-- | The shapes whose rules are long: once in the program, not wherever a ray meets a shape.
+data Rare
+  = Tube {-# UNPACK #-} !Axial
   | Cylinder {-# UNPACK #-} !Axial
   | Cone {-# UNPACK #-} !Axial
   | -- | The rim, and the curvatures of the faces at its start and its end.
@@ -109,17 +114,17 @@ prepare shape = case shape of
         flat = triangleNormal (smoothTriangleFlat s)
         Corners n0 n1 n2 = fromMaybe flat . unit <$> smoothTriangleNormals s
      in Just (ofSmoothTriangle a b c flat n0 n1 n2 (smoothTriangleUvs s))
-  ATube r -> Tube <$> onAxis r
-  ACylinder r -> Cylinder <$> onAxis r
-  ACone r -> Cone <$> onAxis r
-  ALens l -> let (c1, c2) = lensCurvatures l in (\a -> Lens a c1 c2) <$> onAxis (lensBody l)
-  ACap c -> onPlane (diskPlane (capDisk c)) (\p n -> Cap p n (diskRadius (capDisk c)) (capCurvature c))
-  ATorus t -> onPlane (torusPlane t) (\p n -> Torus p n (torusMajor t) (torusMinor t))
-  ATransformed t inner -> Placed (placement t) <$> prepare inner
+  ATube r -> Rare . Tube <$> onAxis r
+  ACylinder r -> Rare . Cylinder <$> onAxis r
+  ACone r -> Rare . Cone <$> onAxis r
+  ALens l -> let (c1, c2) = lensCurvatures l in (\a -> Rare (Lens a c1 c2)) <$> onAxis (lensBody l)
+  ACap c -> onPlane (diskPlane (capDisk c)) (\p n -> Rare (Cap p n (diskRadius (capDisk c)) (capCurvature c)))
+  ATorus t -> onPlane (torusPlane t) (\p n -> Rare (Torus p n (torusMajor t) (torusMinor t)))
+  ATransformed t inner -> placedIn (placement t) <$> prepare inner
 
 -- | A prepared shape, transformed.
 placedIn :: Placement -> Prepared -> Prepared
-placedIn = Placed
+placedIn place = Rare . Placed place
 
 -- | The flat triangle with these corners and this unit normal, which must be theirs.
 ofTriangle :: Point -> Point -> Point -> Unit -> Prepared
@@ -158,12 +163,12 @@ parameters shape r = build $ \cons nil -> case shape of
   Cube c h -> foldr cons nil (cubeParameters (unpacked c) h r)
   Triangle a b c n -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
   SmoothTriangle a b c n _ _ _ _ -> foldr cons nil (triangleParameters (unpacked a) (unpacked b) (unpacked c) (unpackedUnit n) r)
-  _ -> foldr cons nil (rareParameters shape r)
+  Rare rare -> foldr cons nil (rareParameters rare r)
 {-# INLINE parameters #-}
 
--- | The rules that are long, once in the program instead of everywhere. Their lists are made; beside the arithmetic that is little.
-rareParameters :: Prepared -> Ray -> [Double]
-rareParameters shape r = case shape of
+-- | The parameters of the rare shapes. Their lists are made; beside the arithmetic that is little.
+rareParameters :: Rare -> Ray -> [Double]
+rareParameters rare r = case rare of
   Tube a -> along a tubeParameters r
   Cylinder a -> along a cylinderParameters r
   Cone a -> along a coneParameters r
@@ -171,7 +176,6 @@ rareParameters shape r = case shape of
   Cap p n radius c -> capParameters (unpacked p) (unpackedUnit n) radius c r
   Torus p n major minor -> torusParameters (unpacked p) (unpackedUnit n) major minor r
   Placed place inner -> parameters inner (carriedBack place r)
-  _ -> parameters shape r
 {-# NOINLINE rareParameters #-}
 
 -- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound; the bound
@@ -195,20 +199,18 @@ normalAt shape r t = case shape of
   Triangle _ _ _ n -> unpackedUnit n
   SmoothTriangle a b c n n0 n1 n2 _ ->
     interpolatedNormal (unpackedUnit n) (Corners (unpackedUnit n0) (unpackedUnit n1) (unpackedUnit n2)) (barycentric (unpacked a) (unpacked b) (unpacked c) (position r t))
-  _ -> rareNormal shape r t
+  Rare rare -> rareNormal rare r t
 {-# INLINE normalAt #-}
 
--- | The normals of the shapes whose rules are long.
-rareNormal :: Prepared -> Ray -> Double -> Unit
-rareNormal shape r t = case shape of
+rareNormal :: Rare -> Ray -> Double -> Unit
+rareNormal rare r t = case rare of
   Tube a -> along a (\p1 s _ _ -> tubeNormal p1 s (position r t))
   Cylinder a -> along a cylinderNormal r t
   Cone a -> along a coneNormal r t
   Lens a c1 c2 -> along a lensNormal c1 c2 r t
   Cap p n radius c -> capNormal (unpacked p) (unpackedUnit n) radius c (position r t)
   Torus p n major minor -> torusNormal (unpacked p) (unpackedUnit n) major minor (position r t)
-  Placed place inner -> transformNormal place (rareNormal inner (carriedBack place r) t)
-  _ -> normalAt shape r t
+  Placed place inner -> transformNormal place (normalAt inner (carriedBack place r) t)
 {-# NOINLINE rareNormal #-}
 
 -- | A normal turned against the direction in which a ray arrives: n where \<d, n> < 0, otherwise -n.
@@ -231,15 +233,15 @@ textureAt shape r t = case shape of
   SmoothTriangle a b c _ _ _ _ (Corners uv0 uv1 uv2) ->
     let (t1, t2) = barycentric (unpacked a) (unpacked b) (unpacked c) v
      in (1 - t1 - t2) Linear.*^ uv0 + t1 Linear.*^ uv1 + t2 Linear.*^ uv2
-  Tube a -> along a (\p1 s h _ -> sideUv p1 s h v)
-  Cylinder a -> along a cylinderUv outward v
-  Cone a -> along a coneUv outward v
-  Lens a c1 c2 -> along a $ \p1 s h radius -> case lensPart p1 s h radius c1 c2 r t of
+  Rare (Tube a) -> along a (\p1 s h _ -> sideUv p1 s h v)
+  Rare (Cylinder a) -> along a cylinderUv outward v
+  Rare (Cone a) -> along a coneUv outward v
+  Rare (Lens a c1 c2) -> along a $ \p1 s h radius -> case lensPart p1 s h radius c1 c2 r t of
     LensSide -> sideUv p1 s h v
     _ -> diskUv p1 s radius v
-  Cap p n radius _ -> diskUv (unpacked p) (unpackedUnit n) radius v
-  Torus p n major _ -> torusUv (unpacked p) (unpackedUnit n) major v
-  Placed place inner -> textureAt inner (carriedBack place r) t
+  Rare (Cap p n radius _) -> diskUv (unpacked p) (unpackedUnit n) radius v
+  Rare (Torus p n major _) -> torusUv (unpacked p) (unpackedUnit n) major v
+  Rare (Placed place inner) -> textureAt inner (carriedBack place r) t
   where
     v = position r t
     outward = normalAt shape r t
@@ -249,36 +251,36 @@ isClosed :: Prepared -> Bool
 isClosed shape = case shape of
   Sphere _ _ -> True
   Cube _ _ -> True
-  Cylinder _ -> True
-  Cone _ -> True
-  Lens {} -> True
-  Torus {} -> True
-  Placed _ inner -> isClosed inner
+  Rare (Cylinder _) -> True
+  Rare (Cone _) -> True
+  Rare (Lens {}) -> True
+  Rare (Torus {}) -> True
+  Rare (Placed _ inner) -> isClosed inner
   Plane _ _ -> False
   Disk {} -> False
   Annulus {} -> False
   Triangle {} -> False
   SmoothTriangle {} -> False
-  Tube _ -> False
-  Cap {} -> False
+  Rare (Tube _) -> False
+  Rare (Cap {}) -> False
 
 -- | Whether a point is inside a closed shape. A point on the surface is not.
 contains :: Prepared -> Point -> Bool
 contains shape p = case shape of
   Sphere c radiusSquared -> sphereContains (unpacked c) radiusSquared p
   Cube c h -> cubeContains (unpacked c) h p
-  Cylinder a -> along a cylinderContains p
-  Cone a -> along a coneContains p
-  Lens a c1 c2 -> along a lensContains c1 c2 p
-  Torus c n major minor -> torusContains (unpacked c) (unpackedUnit n) major minor p
-  Placed place inner -> contains inner (inversePosition place p)
+  Rare (Cylinder a) -> along a cylinderContains p
+  Rare (Cone a) -> along a coneContains p
+  Rare (Lens a c1 c2) -> along a lensContains c1 c2 p
+  Rare (Torus c n major minor) -> torusContains (unpacked c) (unpackedUnit n) major minor p
+  Rare (Placed place inner) -> contains inner (inversePosition place p)
   Plane _ _ -> False
   Disk {} -> False
   Annulus {} -> False
   Triangle {} -> False
   SmoothTriangle {} -> False
-  Tube _ -> False
-  Cap {} -> False
+  Rare (Tube _) -> False
+  Rare (Cap {}) -> False
 
 -- Note [Lists that vanish]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~

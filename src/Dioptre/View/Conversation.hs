@@ -30,11 +30,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Dioptre.Explain.Json (storyJson)
-import Dioptre.Explain.Tell (tell)
 import Dioptre.Explain.Wording (storyText)
 import Dioptre.Files.Whole (readWhole, writeWhole)
-import Dioptre.Load (Loaded (..))
-import Dioptre.Load.Amount (ModelRead (..))
+import Dioptre.Load (storyAt)
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Text (decode, sourceText)
 import Dioptre.View.Desk
@@ -139,15 +137,13 @@ listen scene page replies question connection = forever $ do
 -- | The message with the story of a pixel of a frame, or why there is none.
 storyOf :: Language -> Showing -> Frame -> Int -> Int -> Int -> IO (Either Refusal Lazy.ByteString)
 storyOf l scene frame number column row =
-  case tell (loadedAssets loaded) (map (Text.pack . modelReadPath) (loadedModels loaded)) (loadedLibrary loaded) (loadedScene loaded) column row of
+  case storyAt (frameLoaded frame) column row of
     Nothing -> pure (Left OutsideOfPicture)
     Just story -> do
       let name = Text.pack (showingPath scene)
           bytes = Lazy.take (longestStory + 1) (encode (messageJson (Story number (frameNumber frame) (storyJson name story) (storyText l name story))))
       size <- evaluate (Lazy.length bytes)
       pure (if size > longestStory then Left TooLong else Right bytes)
-  where
-    loaded = frameLoaded frame
 
 -- | Writes the text to the scene's file, whose line ends stay as they are; returns the text.
 save :: Showing -> Bool -> IO (Either Refusal Text)

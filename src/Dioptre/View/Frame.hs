@@ -31,7 +31,7 @@ module Dioptre.View.Frame
   )
 where
 
-import Control.Concurrent.STM (TVar, atomically, modifyTVar', newTVarIO)
+import Control.Concurrent.STM (STM, TVar, atomically, modifyTVar', newTVarIO)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Sequence (Seq, (|>))
@@ -39,12 +39,12 @@ import qualified Data.Sequence as Seq
 import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Storable.Mutable as Mutable
 import Data.Word (Word8)
-import Dioptre.Load (Loaded (..))
+import Dioptre.Load (Loaded (..), loadedPlan)
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
 import Dioptre.Render (Tally (..), tallyOf)
 import Dioptre.Render.Parallel (inParallel)
-import Dioptre.Render.Row (Plan, Row (..), Sampled (..), colourAt, plan, planHeight, planWidth, row)
+import Dioptre.Render.Row (Plan, Row (..), Sampled (..), colourAt, planHeight, planWidth, row)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Foreign.ForeignPtr (castForeignPtr, withForeignPtr)
@@ -105,7 +105,7 @@ newFrame number version loaded =
     <*> Mutable.new (4 * coarse (planWidth planned) * coarse (planHeight planned))
     <*> newTVarIO (Progress Seq.empty 0 (Tally 0 0 0) 0 Going)
   where
-    planned = plan (loadedAssets loaded) (loadedLibrary loaded) (loadedScene loaded)
+    planned = loadedPlan loaded
 
 -- | How many pixels of the coarse picture there are for so many of the picture.
 coarse :: Int -> Int
@@ -115,24 +115,25 @@ coarse n = (n + coarseness - 1) `div` coarseness
 shownBy :: Int -> Int -> Int
 shownBy n k = min (n - 1) (coarseness * k + coarseness `div` 2)
 
--- | Paints a frame by that many workers, and ends it. Exceptions end the painting and leave the frame as it is.
+-- | Paints a frame by that many workers, and ends it; whoever sees that it is finished also sees what is given to be done then. Exceptions end the
+-- painting and leave the frame as it is.
 --
 -- Law: its picture is the one that "Dioptre.Render" makes of its plan.
-paint :: Int -> Frame -> IO ()
-paint workers frame = do
+paint :: Int -> STM () -> Frame -> IO ()
+paint workers finish frame = do
   inParallel workers (coarse (planHeight planned)) (coarseRow frame) $ \k bytes -> do
     place (frameCoarse frame) k bytes
-    report (\p -> p {progressStrips = progressStrips p |> Coarse k})
+    report (pure ()) (\p -> p {progressStrips = progressStrips p |> Coarse k})
   inParallel workers (planHeight planned) (row planned) $ \y r -> do
     place (frameFine frame) y (rowBytes r)
-    report (\p -> p {progressStrips = progressStrips p |> Fine y, progressRows = progressRows p + 1, progressTally = progressTally p <> tallyOf r})
-  report (\p -> p {progressEnd = Finished})
+    report (pure ()) (\p -> p {progressStrips = progressStrips p |> Fine y, progressRows = progressRows p + 1, progressTally = progressTally p <> tallyOf r})
+  report finish (\p -> p {progressEnd = Finished})
   where
     planned = framePlan frame
     place target k bytes = Storable.copy (Mutable.slice (k * Storable.length bytes) (Storable.length bytes) target) bytes
-    report change = do
+    report also change = do
       now <- getMonotonicTime
-      atomically (modifyTVar' (frameProgress frame) (\p -> (change p) {progressSeconds = max (progressSeconds p) (now - frameBegan frame)}))
+      atomically (modifyTVar' (frameProgress frame) (\p -> (change p) {progressSeconds = max (progressSeconds p) (now - frameBegan frame)}) >> also)
 
 -- | A row of the coarse picture. Its pixels are pixels of the picture.
 coarseRow :: Frame -> Int -> Storable.Vector Word8

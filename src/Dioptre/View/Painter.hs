@@ -56,5 +56,7 @@ work path table job = do
       _ <- evaluate (framePlan frame)
       atomically (modifyTVar' table (begun frame))
       workers <- getNumCapabilities
-      paint workers frame `onException` atomically (modifyTVar' (frameProgress frame) (\p -> p {progressEnd = Cancelled}) >> modifyTVar' table abandoned)
-      atomically (modifyTVar' table (ended job frame))
+      paint workers (modifyTVar' table (ended job frame)) frame `onException` atomically (modifyTVar' (frameProgress frame) cancelled >> modifyTVar' table abandoned)
+  where
+    -- The end may come as the last row is reported.
+    cancelled p = if progressEnd p == Finished then p else p {progressEnd = Cancelled}

@@ -9,7 +9,7 @@ import Data.List (isPrefixOf, sort)
 import qualified Data.Vector.Storable as Storable
 import Dioptre.Load (Loaded, loadScene)
 import Dioptre.Picture (pictureBytes, pictureWidth)
-import Dioptre.Render (Tally (..), rendered)
+import Dioptre.Render (renderWith, rendered)
 import Dioptre.Render.Row (planHeight, planWidth)
 import Dioptre.Source.Language (Language (English))
 import Dioptre.View.Frame
@@ -32,7 +32,8 @@ spec = for_ ["scenes/glass.txt", "scenes/antialiasing.txt", "scenes/plane.txt"] 
     progressEnd progress `shouldBe` Finished
   it "has counted its rays" $ \frame -> do
     progress <- readTVarIO (frameProgress frame)
-    tallyRays (progressTally progress) `shouldSatisfy` (>= planHeight (framePlan frame) * planWidth (framePlan frame))
+    (_, tally) <- renderWith 1 (pure ()) (framePlan frame)
+    progressTally progress `shouldBe` tally
   it "shows of each block of 8 x 8 the pixel at (4, 4), or the last there is" $ \frame -> do
     image <- framePicture frame
     let width = planWidth (framePlan frame)
@@ -51,4 +52,4 @@ painted :: FilePath -> IO Frame
 painted path = do
   loaded <- loadScene English path >>= either (fail . show) evaluate
   frame <- newFrame 1 1 (loaded :: Loaded)
-  frame <$ paint 2 frame
+  frame <$ paint 2 (pure ()) frame

@@ -46,7 +46,7 @@ finished :: IO (Desk, Frame, Progress)
 finished = do
   loaded <- loadSource English (fromText "scene.txt" text)
   frame <- newFrame 1 1 loaded
-  paint 1 frame
+  paint 1 (pure ()) frame
   progress <- readTVarIO (frameProgress frame)
   let desk = entered (newDesk English True False text)
       job = Job 1 False

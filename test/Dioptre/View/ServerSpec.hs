@@ -22,12 +22,10 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Dioptre.Explain.Json (storyJson)
-import Dioptre.Explain.Tell (tell)
 import Dioptre.Files.Whole (writeWhole)
-import Dioptre.Load (Loaded (..), loadSource)
+import Dioptre.Load (loadSource, loadedPlan, storyAt)
 import qualified Dioptre.Picture.Png as Png
 import Dioptre.Render (rendered)
-import Dioptre.Render.Row (plan)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Source.Text (decode, fromText)
 import Dioptre.View.Desk (Desk (..))
@@ -81,7 +79,7 @@ spec = do
       say c ["type" .= ("explain" :: Text), "id" .= (5 :: Int), "column" .= (20 :: Int), "row" .= (15 :: Int)]
       story <- await c "story"
       loaded <- loadSource English (fromText path small)
-      let expected = storyJson (Text.pack path) <$> tell (loadedAssets loaded) [] (loadedLibrary loaded) (loadedScene loaded) 20 15
+      let expected = storyJson (Text.pack path) <$> storyAt loaded 20 15
       valueAt "story" story `shouldBe` (expected >>= Json.decode . Json.encode)
       valueAt "id" story `shouldBe` Just (Number 5)
     it "refuses a pixel that is not there" $ \(viewer, _) -> talking viewer $ \c -> do
@@ -224,7 +222,7 @@ write path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= e
 pictureOf :: FilePath -> Text -> IO Lazy.ByteString
 pictureOf path text = do
   loaded <- loadSource English (decode path (Text.encodeUtf8 text))
-  pure (Png.encode (rendered (plan (loadedAssets loaded) (loadedLibrary loaded) (loadedScene loaded))))
+  pure (Png.encode (rendered (loadedPlan loaded)))
 
 -------------------------------------------------------------------------------
 -- Requests

@@ -152,19 +152,25 @@ anglesAreTheCameras seen@(Seen c v _) =
 
 -- | A point that is some way along a pixel's ray is seen at the pixel's place, and in front of the eye; the one as far behind the eye is behind it.
 --
--- The matrix's entries are quotients of products of four vectors' coordinates, by a determinant that is the smallest of such products where the camera's angle is largest (170 degrees, where the
--- corner's direction is 5 degrees off the picture's plane: 1 \/ sin 5 degrees < 2^4). With a dozen roundings each that is less than 2^10 units of rounding of the largest terms, which are then added up.
+-- A row of the matrix is a vector product of two of u1, u2, k, by the determinant, which is the same number in all three and goes out of the quotients. A product's
+-- error is a few eps of its factors' lengths, which are at most kappa times the product's own: kappa = |k| / near is how much longer the
+-- way to the picture's corner is than the way to its plane, and so 1 by the least sine between u1 or u2 and k. The pixel's place in
+-- space is the corner and shares of u1 and u2, each no longer than kappa near, so its error is a few eps of kappa times its own length and the eye's; a point
+-- that is so many times as far away has as many times that error. All in all less than 32 roundings in a row, of |row| times all
+-- these lengths; the other row's count as often as the place says.
 projectionIsTheWayBack :: Seen -> Property
 projectionIsTheWayBack seen@(Seen c _ (x, y)) = forAll ((2 **) <$> choose (0, 10)) $ \far ->
   let v = seenView seen
       eye = settingPosition (cameraSettings c)
-      away = pointAt v x y - eye
+      there = pointAt v x y
+      away = there - eye
       at side = eye + (side * far) *^ away
       V3 across down ahead = projection v
       seenAt p = let w = times ahead p in (times across p / w, times down p / w, w)
       times (V4 a b d e) (V3 px py pz) = a * px + b * py + d * pz + e
-      size (V4 a b d e) (V3 px py pz) = abs (a * px) + abs (b * py) + abs (d * pz) + abs e
-      room row' place p w = 2 ^^ (-43 :: Int) * (size row' p + abs place * size ahead p) / abs w
+      kappa = modulus (pointAt v 0 0 - eye) / settingNear (cameraSettings c)
+      size (V4 a b d _) p = modulus (V3 a b d) * (modulus p + modulus eye + far * (modulus there + modulus eye))
+      room row' place p w = 2 ^^ (-47 :: Int) * kappa * (size row' p + abs place * size ahead p) / abs w
       close p =
         let (x', y', w) = seenAt p
          in counterexample (show (p, (x', y', w))) (abs (x' - x) <= room across x p w .&&. abs (y' - y) <= room down y p w)
