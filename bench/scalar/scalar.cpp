@@ -4,7 +4,7 @@
  *
  * It is what a programmer writes by hand in C++ for these scenes: one thread, one ray at a time, doubles, arrays of plain numbers,
  * no vector instructions asked for, no index. The work is Dioptre's: the same camera and pixel centres (src/Dioptre/Render/View.hs),
- * the same rules for planes, spheres and cubes (src/Dioptre/Geometry), every shape tried in the same order until a shadow ray is
+ * the same rules for planes, spheres and cubes (src/Dioptre/Geometry), shapes tried in the same order until a shadow ray is
  * blocked, the same light, shadows and mirrors (src/Dioptre/Render/Shade.hs), the same bytes (src/Dioptre/Picture/Byte.hs). What these
  * scenes do not have is left out: transparency, textures, attenuation, coefficients near the ends of the range of doubles.
  *
@@ -220,13 +220,13 @@ static inline int closest(const Scene &s, const Ray &r, double &t, Work &work) {
 /* Whether anything stands in a ray's way, nearer than a bound: no farther than the first thing that does. The lit scenes have no cubes. */
 static inline bool blocked(const Scene &s, const Ray &r, double bound, Work &work) {
   work.rays++;
-  for (const Plane &p : s.planes) {
-    work.tests++;
-    if (nearest(p, r, bound) < bound) return true;
-  }
   for (const Sphere &b : s.spheres) {
     work.tests++;
     if (nearest(b, r, bound) < bound) return true;
+  }
+  for (const Plane &p : s.planes) {
+    work.tests++;
+    if (nearest(p, r, bound) < bound) return true;
   }
   return false;
 }

@@ -19,10 +19,12 @@ module Dioptre.Geometry.Prepared
     placedIn,
     ofTriangle,
     ofSmoothTriangle,
+    preparedSphere,
 
     -- * Intersecting
     parameters,
     nearest,
+    firstAhead,
     normalAt,
     shadingNormal,
     textureAt,
@@ -136,6 +138,12 @@ ofSmoothTriangle :: Point -> Point -> Point -> Unit -> Unit -> Unit -> Unit -> C
 ofSmoothTriangle a b c n n0 n1 n2 = SmoothTriangle (packed a) (packed b) (packed c) (packedUnit n) (packedUnit n0) (packedUnit n1) (packedUnit n2)
 {-# INLINE ofSmoothTriangle #-}
 
+-- | The centre and the squared radius, if it is a sphere.
+preparedSphere :: Prepared -> Maybe (Point, Double)
+preparedSphere shape = case shape of
+  Sphere c radiusSquared -> Just (unpacked c, radiusSquared)
+  _ -> Nothing
+
 onPlane :: Plane -> (Packed -> Packed -> Prepared) -> Maybe Prepared
 onPlane p make = make (packed (planePosition p)) . packedUnit <$> unit (planeNormal p)
 
@@ -181,12 +189,17 @@ rareParameters rare r = case rare of
 -- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound; the bound
 -- itself if there is none.
 nearest :: Prepared -> Ray -> Double -> Double
-nearest shape r = foldr keep id $ case shape of
+nearest shape r = firstAhead $ case shape of
   Sphere c radiusSquared -> sphereParametersAhead (unpacked c) radiusSquared r
   _ -> parameters shape r
+{-# INLINE nearest #-}
+
+-- | The first of some ascending parameters that is greater than 'smallestParameter' and less than a bound, or else the bound.
+firstAhead :: [Double] -> Double -> Double
+firstAhead = foldr keep id
   where
     keep t next !best = if t > smallestParameter && t < best then next t else next best
-{-# INLINE nearest #-}
+{-# INLINE firstAhead #-}
 
 -- | The outward unit normal where a ray meets the shape, at a parameter that 'parameters' gave; not turned towards the ray.
 normalAt :: Prepared -> Ray -> Double -> Unit

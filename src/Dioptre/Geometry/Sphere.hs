@@ -21,6 +21,7 @@ module Dioptre.Geometry.Sphere
 
     -- * Intersecting
     sphereParameters,
+    sphereClearlyMissed,
     sphereParametersAhead,
     sphereNormal,
     sphereContains,
@@ -58,13 +59,21 @@ sphereParameters c radiusSquared r = quadraticRoots (directionQuadrance r) (2 * 
     w = origin r - c
 {-# INLINE sphereParameters #-}
 
--- | The same, without the parameters behind the origin where that costs nothing: a ray that starts outside (C0 > 0) and does not come nearer (B >= 0)
+-- | Whether it is clear at once that a ray's line does not meet the sphere, as it is for most.
+sphereClearlyMissed :: Point -> Double -> Ray -> Bool
+sphereClearlyMissed c radiusSquared r = clearlyNone (directionQuadrance r) (2 * dot w d) (dot w w - radiusSquared)
+  where
+    d = direction r
+    w = origin r - c
+{-# INLINE sphereClearlyMissed #-}
+
+-- | The same as 'sphereParameters', without the parameters behind the origin where that costs nothing: a ray that starts outside (C0 > 0) and does not come nearer (B >= 0)
 -- meets the sphere at no positive parameter, since the two roots have the product C0 \/ A > 0 and the sum -B \/ A <= 0.
 --
 -- Whether its line meets the sphere at all is asked first: it seldom does, while half of the spheres are behind, and a processor guesses the first question's answer right.
 sphereParametersAhead :: Point -> Double -> Ray -> [Double]
 sphereParametersAhead c radiusSquared r
-  | clearlyNone (directionQuadrance r) b c0 = []
+  | sphereClearlyMissed c radiusSquared r = []
   | b >= 0 && c0 > 0 = []
   | otherwise = quadraticRoots (directionQuadrance r) b c0
   where

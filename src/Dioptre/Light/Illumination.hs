@@ -24,6 +24,7 @@ module Dioptre.Light.Illumination
   )
 where
 
+import Data.Bits (testBit, unsafeShiftR)
 import Dioptre.Light.Colour (Colour, black, filtered, scaled)
 import Dioptre.Math.Vector (Unit, Vector, dot, modulus, vector, (*^), (^/))
 
@@ -79,5 +80,5 @@ power x n
     squaring :: Int -> Double -> Double -> Double
     squaring !m !square !acc
       | m == 0 = acc
-      | odd m = squaring (m `quot` 2) (square * square) (acc * square)
-      | otherwise = squaring (m `quot` 2) (square * square) acc
+      | testBit m 0 = squaring (m `unsafeShiftR` 1) (square * square) (acc * square)
+      | otherwise = squaring (m `unsafeShiftR` 1) (square * square) acc

@@ -155,9 +155,10 @@ quadratic a b c
     !v = (4 * a) * c
 {-# INLINE quadratic #-}
 
--- | Whether it is clear at once that @a x^2 + b x + c@ has no root, as it is for most rays and most shapes: rounding keeps order, so that u < v, as computed, proves D < 0, whatever a and b are.
+-- | Whether it is clear at once that @a x^2 + b x + c@ has no root, as it is for most rays and most shapes: rounding keeps order, so that u < v, as computed, proves D < 0. This holds however small the products are, and whatever a and
+-- b are; only where v is out of range is nothing proved.
 clearlyNone :: Double -> Double -> Double -> Bool
-clearlyNone a b c = u - v < 0 && roomy (u + abs v)
+clearlyNone a b c = u < v && v < 0x1p1023
   where
     !u = b * b
     !v = (4 * a) * c

@@ -15,35 +15,25 @@ where
 
 import Data.List (foldl')
 import Data.Primitive.PrimArray (indexPrimArray)
-import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import Dioptre.Geometry.Bounds (approach)
 import Dioptre.Geometry.Closest (Closest (..), below, slightlyBeyond, tried, within)
+import Dioptre.Geometry.Handful (closestInHandful, isHandful)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Placement (carriedBack)
 import Dioptre.Geometry.Prepared (Prepared, nearest)
 import Dioptre.Geometry.PreparedMesh (closestTriangle)
 import Dioptre.Geometry.Ray (Ray)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..), isSmall)
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..))
 
 -- | What a ray meets first, nearer than a bound.
 --
 -- Law: as sorting all the hits of all shapes and taking the first. Cost: like the logarithm of the number of shapes that have an end, where they are spread out.
 closest :: World -> Ray -> Double -> Closest
 closest w !r !bound
-  | isSmall w = closestOfFew (numbered (groupShapes (root w))) r bound
+  | isHandful (worldHandful w) = closestInHandful (worldHandful w) r bound
   | otherwise = closestOfMany (root w) r bound
 {-# INLINE closest #-}
-
-closestOfFew :: Vector Prepared -> Ray -> Double -> Closest
-closestOfFew shapes !r = go 0 (-1)
-  where
-    !count = Vector.length shapes
-    -- In the order of their numbers the first of several at one parameter is kept. Numbers are below the number of shapes.
-    go !i !number !best
-      | i >= count = Closest best number count
-      | otherwise = let !t = nearest (Vector.unsafeIndex shapes i) r best in if t < best then go (i + 1) i t else go (i + 1) number best
-{-# INLINE closestOfFew #-}
 
 closestOfMany :: Group -> Ray -> Double -> Closest
 closestOfMany g r bound = closestInstance g r (closestShape g r (below bound))

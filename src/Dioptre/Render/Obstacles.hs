@@ -15,8 +15,10 @@ where
 
 import Data.List (foldl')
 import Data.Primitive.PrimArray (indexPrimArray)
+import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import Dioptre.Geometry.Bounds (approach)
+import Dioptre.Geometry.Handful (Handful, foldMet, isHandful)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Placement (carriedBack)
 import Dioptre.Geometry.Prepared (nearest)
@@ -24,7 +26,7 @@ import Dioptre.Geometry.PreparedMesh (anyTriangle)
 import Dioptre.Geometry.Ray (Ray)
 import Dioptre.Light.Finish (Finish, isTransparent)
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..), isSmall)
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..))
 
 -- | What a ray meets nearer than a bound, in any order.
 data Obstacles = Obstacles
@@ -39,22 +41,19 @@ data Obstacles = Obstacles
 -- | What a ray meets nearer than a bound; no farther than the first thing that lets nothing through.
 obstacles :: World -> Ray -> Double -> Obstacles
 obstacles w !r !bound
-  | isSmall w = obstaclesOfFew (root w) r bound
+  | isHandful (worldHandful w) = obstaclesOfFew (worldHandful w) (groupFinishes (root w)) r bound
   | otherwise = obstaclesOfMany (root w) r bound
 {-# INLINE obstacles #-}
 
-obstaclesOfFew :: Group -> Ray -> Double -> Obstacles
-obstaclesOfFew g !r !bound = go 0 []
+obstaclesOfFew :: Handful -> Vector (Finish Texture) -> Ray -> Double -> Obstacles
+obstaclesOfFew h finishes !r !bound = foldMet h r bound each (flip (Obstacles False)) []
   where
-    !shapes = numbered (groupShapes g)
-    !count = Vector.length shapes
-    -- Numbers are below the number of shapes, and there are as many finishes.
-    go !i through
-      | i >= count = Obstacles False through count
-      | nearest (Vector.unsafeIndex shapes i) r bound < bound =
-        let f = Vector.unsafeIndex (groupFinishes g) i
-         in if isTransparent f then go (i + 1) ((i, f) : through) else Obstacles True [] (i + 1)
-      | otherwise = go (i + 1) through
+    each tests number through next
+      | isTransparent f = next ((number, f) : through)
+      | otherwise = Obstacles True [] tests
+      where
+        -- Numbers are below the number of shapes, and there are as many finishes.
+        f = Vector.unsafeIndex finishes number
 {-# INLINE obstaclesOfFew #-}
 
 obstaclesOfMany :: Group -> Ray -> Double -> Obstacles

@@ -29,7 +29,6 @@ module Dioptre.Render.World
     worldOwn,
     worldHasMedia,
     worldHasPictures,
-    isSmall,
 
     -- * What they are made of
     Group (..),
@@ -50,6 +49,7 @@ import Data.Vector (Vector, (!?))
 import qualified Data.Vector as Vector
 import Dioptre.Geometry.Bounds (Box, ofShape, transformed)
 import qualified Dioptre.Geometry.Bounds as Bounds
+import Dioptre.Geometry.Handful (Handful, handful)
 import Dioptre.Geometry.Hierarchy (Hierarchy, hierarchy, hierarchyBox, hierarchyDepth, hierarchyNodes, hierarchyOrder)
 import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Geometry.Placement (Placement, placement)
@@ -69,6 +69,9 @@ import Dioptre.Scene.Primitive (Primitive (..))
 data World = World
   { -- | Everything: the scene's own shapes, and its instances of models.
     root :: !Group,
+    -- | Its shapes, where they are so few that all are tried, one after the other; none where there is an index. The loop that tries them is copied to where it is used, so that nothing of it is ever in memory; with an
+    -- index there is more to do than to pass a ray on.
+    worldHandful :: {-# UNPACK #-} !Handful,
     -- | How large it is.
     worldExtent :: Extent
   }
@@ -147,9 +150,12 @@ data Body
 
 -- | The world of a scene with its pictures and models.
 world :: Assets -> Library Texture -> Scene -> World
-world assets library scene = World top (extentOf top (Vector.toList bodies))
+world assets library scene = World top few' (extentOf top (Vector.toList bodies))
   where
     top = group (mapMaybe thing (scenePrimitives scene)) (map instanced (libraryInstances library))
+    few'
+      | hierarchyNodes (boxes (groupShapes top)) == 0 && Vector.null (things (groupInstances top)) = handful (numbered (groupShapes top))
+      | otherwise = handful Vector.empty
     thing p = shapeWith (finishOf (primitiveMaterial p)) (primitiveShape p)
     -- Every model once: an instance refers to it. A model is made of models with lower numbers.
     bodies = Vector.map (modelBody instanced) (libraryModels library)
@@ -253,9 +259,3 @@ arranged list = Arranged (Vector.map snd pairs) (Vector.map (snd . (pairs Vector
     outer = case traverse fst list of
       Just (b : bs) -> Just (foldl' Bounds.union b bs)
       _ -> Nothing
-
--- | Whether a world is so small that everything in it is tried one after the other. The loop that does is copied to where it is used, so that nothing of it is ever in memory; with an index there is more to do than to
--- pass a ray on.
-isSmall :: World -> Bool
-isSmall w = hierarchyNodes (boxes (groupShapes (root w))) == 0 && Vector.null (things (groupInstances (root w)))
-{-# INLINE isSmall #-}
