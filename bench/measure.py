@@ -1,4 +1,4 @@
-"""Running programs and measuring them: whole processes, one processor, in turn, medians."""
+"""Running programs and measuring them: whole processes, one processor unless more are asked for, in turn, medians."""
 
 import os
 import re
@@ -44,8 +44,8 @@ def find(program, package):
     return path
 
 
-def dioptre_command(scene, output, *options):
-    return [find_dioptre(), "render", str(scene), "-o", str(output), "--threads", "1", "--language", "en", *map(str, options)]
+def dioptre_command(scene, output, *options, threads=1):
+    return [find_dioptre(), "render", str(scene), "-o", str(output), "--threads", str(threads), "--language", "en", *map(str, options)]
 
 
 def povray_command(scene, output, width, height):
@@ -72,18 +72,20 @@ def dioptre_says(messages):
 # Measuring
 
 
-def measured(command, where, says=None):
-    """Wall and processor seconds and MB of one run of a program on one processor, and what `says` reads in its messages.
+def measured(command, where, says=None, processors=1):
+    """Wall and processor seconds and MB of one run of a program on so many processors, and what `says` reads in its messages.
 
     What Linux calls the most resident memory of a process includes what it had before it became the program, as a copy
     of this one. So nothing large may happen here.
     """
-    processor = min(os.sched_getaffinity(0))
+    here = sorted(os.sched_getaffinity(0))
+    if processors > len(here):
+        raise Missing(f"{processors} processors are needed, and there is {len(here)}")
     with open(where / "messages", "wb") as messages:
         start = time.monotonic()
         child = subprocess.Popen(
             command, cwd=where, stdin=subprocess.DEVNULL, stdout=messages, stderr=messages,
-            preexec_fn=lambda: os.sched_setaffinity(0, {processor}),
+            preexec_fn=lambda: os.sched_setaffinity(0, here[:processors]),
         )  # fmt: skip
         _, status, used = os.wait4(child.pid, 0)
         wall = time.monotonic() - start
@@ -95,12 +97,12 @@ def measured(command, where, says=None):
     return {**numbers, **(says(said) if says else {})}
 
 
-def in_turn(runs, rounds, where):
+def in_turn(runs, rounds, where, processors=1):
     """The medians of each command's runs, A B A B ... `runs` are pairs of a command and what reads its messages."""
     results = [[] for _ in runs]
     for _ in range(rounds):
         for (command, says), its_results in zip(runs, results):
-            its_results.append(measured(command, where, says))
+            its_results.append(measured(command, where, says, processors))
     return [{key: statistics.median(result[key] for result in its_results) for key in its_results[0]} for its_results in results]
 
 

@@ -47,6 +47,12 @@ def scenes():
 
 def others():
     lines = []
+    if r := results("two-processors"):
+        lines.append(
+            "- By two threads on two processors, tracing only: "
+            + ", ".join(f"{row['scene']} {row['times_as_fast']:g} times as fast as by one" for row in r["rows"])
+            + "."
+        )
     if r := results("teapot-multiple"):
         lines.append(
             f"- Five instances of the teapot (31600 triangles), lit, 500 x 500: {r['share_of_plane_and_cubes']:g} of the time that POV-Ray takes "
