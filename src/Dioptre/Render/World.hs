@@ -69,7 +69,7 @@ import Dioptre.Scene.Primitive (Primitive (..))
 data World = World
   { -- | Everything: the scene's own shapes, and its instances of models.
     root :: !Group,
-    -- | Its shapes, where they are so few that all are tried, one after the other; none where there is an index. The loop that tries them is copied to where it is used, so that nothing of it is ever in memory; with an
+    -- | Its shapes, where all are tried, one after the other: a few, or such as have no end; none where there is an index. The loop that tries them is copied to where it is used, so that nothing of it is ever in memory; with an
     -- index there is more to do than to pass a ray on.
     worldHandful :: {-# UNPACK #-} !Handful,
     -- | How large it is.
@@ -150,10 +150,10 @@ data Body
 
 -- | The world of a scene with its pictures and models.
 world :: Assets -> Library Texture -> Scene -> World
-world assets library scene = World top few' (extentOf top (Vector.toList bodies))
+world assets library scene = World top withoutIndex (extentOf top (Vector.toList bodies))
   where
     top = group (mapMaybe thing (scenePrimitives scene)) (map instanced (libraryInstances library))
-    few'
+    withoutIndex
       | hierarchyNodes (boxes (groupShapes top)) == 0 && Vector.null (things (groupInstances top)) = handful (numbered (groupShapes top))
       | otherwise = handful Vector.empty
     thing p = shapeWith (finishOf (primitiveMaterial p)) (primitiveShape p)

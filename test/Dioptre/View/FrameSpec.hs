@@ -1,7 +1,9 @@
 -- | A picture in the making comes to be the picture.
 module Dioptre.View.FrameSpec (spec) where
 
-import Control.Concurrent.STM (readTVarIO)
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async (wait, withAsync)
+import Control.Concurrent.STM (atomically, check, newTVarIO, readTVar, readTVarIO, writeTVar)
 import Control.Exception (evaluate)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_, toList)
@@ -34,6 +36,17 @@ spec = for_ ["scenes/glass.txt", "scenes/antialiasing.txt", "scenes/plane.txt"] 
     progress <- readTVarIO (frameProgress frame)
     (_, tally) <- renderWith 1 (pure ()) (framePlan frame)
     progressTally progress `shouldBe` tally
+  it "is not seen to be finished before what is to be done then is done" $ \frame -> do
+    again <- newFrame 2 1 (frameLoaded frame)
+    gate <- newTVarIO False
+    withAsync (paint 2 (readTVar gate >>= check) again) $ \painting -> do
+      atomically (readTVar (frameProgress again) >>= check . (== planHeight (framePlan again)) . progressRows)
+      threadDelay 50000
+      closed <- readTVarIO (frameProgress again)
+      atomically (writeTVar gate True)
+      wait painting
+      opened <- readTVarIO (frameProgress again)
+      (progressEnd closed, progressEnd opened) `shouldBe` (Going, Finished)
   it "shows of each block of 8 x 8 the pixel at (4, 4), or the last there is" $ \frame -> do
     image <- framePicture frame
     let width = planWidth (framePlan frame)
