@@ -194,6 +194,12 @@ class _Polynomial:
             root = _nearest(Fraction(-self.exact[1], self.exact[0]))
             return [] if root is None else [(root, 1)]
         if self.degree == 2:
+            # a derivative, for which roots.multiple holds as well: c = -b / (2 a),
+            # p(c) = -(b^2 - 4 a c') / (4 a), T c^2 = b^2 / (4 a)
+            a, b, rest = self.exact
+            if abs(b * b - 4 * a * rest) << 52 <= 3 * b * b:
+                root = _nearest(Fraction(-b, 2 * a))
+                return [] if root is None else [(root, 2)]
             pairs = _integer_quadratic(*self.exact)
             if len(pairs) == 2 and pairs[0][0] == pairs[1][0]:
                 return [(pairs[0][0], 2)]
