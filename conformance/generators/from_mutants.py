@@ -153,6 +153,22 @@ def needles():
             v = [a + t1 * (b - a) + t2 * (c - a) for a, b, c in zip(p0, p1, p2)]
             ok, needle = ordered_barycentric(p0, p1, p2, v)
             made.append(case("geometry.triangle.barycentric geometry.triangle.needle", f"{'By cross products' if needle else 'By D'}: an angle of some {angle:.1g}, edges of some {size:.1g}", "threshold order", {"points": [p0, p1, p2], "point": v}, ok, source=ORDERED))
+    # Edges whose numbers are <s1,s1> = <s2,s2> = 1 and, each operation rounded, D = 2^-20: not greater than 2^-20 (<s1,s1> <s2,s2>), so that cross products are taken.
+    x, y = math.sqrt(1 - 2.0**-20), 2.0**-10
+    points = [[0, 0, 0], [1, 0, 0], [x, y, 0]]
+    if x * x + y * y != 1 or 1 - x * x != 2.0**-20:
+        raise ValueError("this is not at the bound")
+    for _ in range(3):
+        while True:
+            t1, t2 = chance.uniform(0, 0.5), chance.uniform(0, 0.5)
+            v = [t1 + t2 * x, t2 * y, 0]
+            ok, needle = ordered_barycentric(*points, v)
+            s12, ws1, ws2 = x, v[0], v[0] * x + v[1] * y
+            if not needle:
+                raise ValueError("this is no needle")
+            if ok != [(ws1 - ws2 * s12) / 2.0**-20, (ws2 - ws1 * s12) / 2.0**-20]:
+                break
+        made.append(case("geometry.triangle.needle", "D is 2^-20 times the product of the squared edges, and no more: by cross products", "threshold strict-comparison", {"points": points, "point": v}, ok, source=ORDERED))
     return made
 
 
@@ -183,6 +199,21 @@ def short_axes():
     return made
 
 
+def tall_lenses():
+    """Bulging lenses so tall that the spheres of their faces end within the body: lines that cross the side only, beside such a sphere and through the part of it that is no face."""
+    made = []
+    for radius, curvature, long in ((3, 5, 40), (3, 3, 20)):
+        shape = {"kind": "lens", "point": [[0, 0, 0], [0, 0, long]], "ray": radius, "curvature": [curvature, curvature]}
+        depth = math.isqrt(curvature**2 - radius**2)
+        for end, centre, inwards in (("first", depth, 1), ("second", long - depth, -1)):
+            for away, where in ((curvature + 2.5, "beside the sphere"), (curvature - 1.5, "through the half of the sphere within")):
+                for slope in (0.25, -0.25):
+                    o = [-5.5, 0.5, centre + inwards * away - 5.5 * slope]
+                    comment = f"A tall lens, {where} of the {end} face, {'upwards' if slope > 0 else 'downwards'}, curvature {curvature}"
+                    made.append(hit("geometry.lens.body geometry.lens.normal", comment, "long-lens nan", shape, o, [1, 0, slope], "abs:1e-12"))
+    return made
+
+
 def hits():
     loose = {"t": "abs:1e-8", "point": "abs:1e-8", "normal": "abs:1e-8", "uv": "abs:1e-8"}
     cap = {"kind": "spherical_cap", "ray": 3, "curvature": 5}
@@ -210,6 +241,27 @@ def hits():
         expected = {"t": t, "point": [radius, 0, 0], "normal": [1, 0, 0], "uv": [0.5, 1]}
         sent = {"geometry": {"kind": "lens", "point": [[0, 0, 0], [0, 0, long]], "ray": radius, "curvature": curvature}, "ray": {"origin": o, "direction": [1, 0, slope]}}
         made.append(case("geometry.lens.rim", "A line that touches the rim does not slip between face and side", "epsilon rim", sent, expected, {"t": "abs:1e-13", "point": "abs:1e-13", "normal": "abs:2", "uv": "abs:1"}, HAND))
+    return made
+
+
+def at_the_bound():
+    """Points whose distance is (1 - k) R, exactly, and none that is less: R is 1 / k, so that (1 - k) R is a whole number. (In binary64, too, the product rounds to it.)"""
+    made = []
+
+    def one(rule, shape, point, k):
+        size = round(1 / k)
+        if Fraction(str(k)) * size != 1 or (1 - k) * size != size - 1:
+            raise ValueError("the bound is no whole number")
+        made.append(case(f"geometry.{rule} geometry.contains.surface", f"A {shape['kind']}, a point at the very bound is not inside", "strict-comparison epsilon", {"geometry": shape, "point": point}, False, source=EXACT))
+
+    wide, near = 10**7, 10**7 - 1
+    one("lens.contains", {"kind": "lens", "point": [[0, 0, 0], [0, 0, wide]], "ray": wide, "curvature": [2 * wide, 2 * wide]}, [near, 0, wide // 2], 1e-7)
+    one("cylinder.contains", {"kind": "cylinder", "point": [[0, 0, 0], [0, 0, wide]], "ray": wide}, [0, near, wide // 2], 1e-7)
+    one("cone.contains", {"kind": "cone", "point": [[0, 0, 0], [0, 0, wide]], "ray": 2 * wide}, [0, -near, wide // 2], 1e-7)
+    one("torus.contains", {"kind": "torus", "major_radius": 3 * wide, "minor_radius": wide}, [3 * wide + near, 0, 0], 1e-7)
+    far = 10**10
+    one("sphere.contains", {"kind": "sphere", "ray": far}, [0, 0, far - 1], 1e-10)
+    one("cube.contains", {"kind": "cube", "size": 2 * far}, [0.5, 1 - far, 0.25], 1e-10)
     return made
 
 
@@ -287,6 +339,31 @@ def many():
     return made
 
 
+def within_many():
+    """Where rays are inside of bodies, among many shapes, far from the origin and from the places of `many`: a glass cube, and a glass sphere in it."""
+    inert = {"ka": 0, "kd": 0, "ks": 0}
+    made = []
+    for x, y, z in ((-9, -7, -12), (30, -20, 11)):
+        glass = lambda index: {**inert, "color": [1, 1, 1], "kt": 1, "refractive_index": index}
+        cube = {"kind": "cube", "position": [x, y, z], "size": 6}
+        wall = {"kind": "plane", "position": [x + 9, y, z], "normal": [1, 0, 0]}
+        light = {**inert, "color": [0.5, 0.25, 1], "ka": 1}
+        # 45 degrees from the normal of the face at x + 3.
+        camera = {"position": [x + 1, y, z], "look_at": [x + 2, y, z + 1], "near_clipping_plane": 0.5}
+        for index, seen in ((1.5, "all is reflected"), (1.25, "the light passes")):
+            given = scene([("g", cube), ("p", wall)], {"g": glass(index), "p": light}, [AMBIENT], camera=camera, raytracer={"recursive_level": 2})
+            made.append(pixel("geometry.hit.index optics.medium.start", f"From inside a body of index {index} around {(x, y, z)}: {seen}, among many shapes", "medium index", among_many(given)))
+        # Out of a sphere of index 1 into the cube around it: the ray goes on as the cube's index bends it, and the narrow disk behind the cube is met or missed.
+        ball = {"kind": "sphere", "position": [x, y, z], "ray": 1}
+        camera = {"position": [x - 1, y + 0.5, z], "look_at": [x, y + 0.5, z], "near_clipping_plane": 0.5}
+        for index in (1.25, 2):
+            for high in (0.25, 0.5, 0.75):
+                spot = {"kind": "disk", "position": [x + 2.5, y + high, z], "normal": [1, 0, 0], "ray": 0.125}
+                given = scene([("g", cube), ("b", ball), ("p", spot)], {"g": glass(index), "b": glass(1.0625), "p": light}, [AMBIENT], camera=camera, raytracer={"recursive_level": 2})
+                made.append(pixel("geometry.hit.index optics.medium.at", f"Out of a sphere into the glass of index {index} around it, around {(x, y, z)}, to a height of {high}, among many shapes", "medium index", among_many(given)))
+    return made
+
+
 def open_glass():
     """Transparent shapes that are not closed: no ray goes on behind them."""
     glass, wall = {"color": [1, 1, 1], "ka": 0, "kd": 0, "ks": 0, "kt": 1}, {"kind": "plane", "position": [0, 0, 20]}
@@ -320,7 +397,7 @@ def flat_random():
 
 
 def operations():
-    return {"roots.cubic": cubics(), "roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges() + short_axes(), "scene.check": checks(), "triangle.barycentric": needles(), "scene.pixel": many() + open_glass() + flat_random()}
+    return {"roots.cubic": cubics(), "roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges() + short_axes() + tall_lenses(), "geometry.contains": at_the_bound(), "scene.check": checks(), "triangle.barycentric": needles(), "scene.pixel": many() + open_glass() + flat_random() + within_many()}
 
 
 if __name__ == "__main__":
