@@ -72,25 +72,25 @@ def quartics():
 
 def tripled(e):
     """(x - 1)^3 - e (x - 1), whose derivative is 3 (x - 1)^2 - e. That has a double zero at 1 if |e| <= 3/4 2^-50 3, the bound of roots.multiple at the zero 1 of its own derivative, and then
-    1 is a triple root. Else it has two zeros if e > 0, and none if not. At two, 1 +- h with 3 h^2 = e, the value is 2 h^3 in size and the bound 3/4 2^-50 3 h, so that the roots are given as they are
-    if h^2 > 9/8 2^-50. (For h^2 between, each of the two zeros would be a double root: such e are not asked for.)"""
+    1 is a triple root. Else it has two zeros if e > 0, and none if not. At two, 1 +- h with 3 h^2 = e, the value is 2 h^3 in size and the bound 3/4 2^-50 3 h at
+    both: the roots are given as they are, whether h^2 > 9/8 2^-50 or neighbours are in each other's way."""
     e = Fraction(e)
-    if Fraction(9, 4) < e * 2**50 <= Fraction(27, 8):
-        raise ValueError(f"{e}: between the bounds")
     return [Fraction(1), Fraction(-3), 3 - e, e - 1], abs(e) <= Fraction(9, 4) / 2**50
 
 
 def cubics():
     made = []
-    for k, sign in ((51, 1), (50, 1), (49, 1), (48, 1), (47, 1), (51, -1), (50, -1), (48, -1)):
-        p, triple = tripled(Fraction(sign, 2**k))
+    for times, k in ((1, 51), (1, 50), (1, 49), (1, 48), (1, 47), (-1, 51), (-1, 50), (-1, 48), (5, 51), (3, 50)):
+        p, triple = tripled(Fraction(times, 2**k))
+        if any(Fraction(float(c)) != c for c in p):
+            raise ValueError(f"{p} are not binary64 numbers")
         for turned in (False, True):
             q = [c * (-1) ** i for i, c in enumerate(p)] if turned else p
             roots = [-1, -1, -1] if turned else [1, 1, 1]
             if not triple:
                 roots = [nearest(x) for x in roots_maths.real_roots(q)]
-            far, middle = f"2^-{k / 2:g} of {'its' if sign < 0 else 'their'} size", -1 if turned else 1
-            which = f"{middle}, and two complex roots {far} beside it" if sign < 0 else f"Three roots around {middle}, {far} apart"
+            far, middle = f"2^-{(k - math.log2(abs(times))) / 2:.3g} of {'its' if times < 0 else 'their'} size", -1 if turned else 1
+            which = f"{middle}, and two complex roots {far} beside it" if times < 0 else f"Three roots around {middle}, {far} apart"
             comment = f"{which}: {'one, three times' if triple else 'as they are'}"
             # roots.residual binds little where all three are that near.
             made.append(case("roots.multiple", comment, "triple-root count" if triple else "merged count", roots_maths.sent(*map(float, q)), roots, "rel:1e-10" if triple else "rel:2e-5", EXACT))

@@ -211,10 +211,11 @@ class _Polynomial:
         found = []
         bound = self._bound()
         left, left_sign = -bound, self.sign(-bound)
-        for c, m in turns:
-            if not -bound < c < bound:
-                continue
-            here, flat = self._at_turn(c, m)
+        looks = [(c, m, *self._at_turn(c, m)) for c, m in turns if -bound < c < bound]
+        for i, (c, m, here, flat) in enumerate(looks):
+            if flat is not None and self.sign(c) != 0 and any(
+                    beside[3] is not None for beside in looks[max(i - 1, 0):i] + looks[i + 1:i + 2]):
+                here, flat = self.sign(c), None            # two neighbours cannot both be roots
             before = here if flat is None else flat * (-1) ** (m + 1)
             if left_sign * before < 0:
                 found.append((self._single(left, left_sign, c), 1))

@@ -29,14 +29,18 @@ exactRoots coefficients = filter finite (concatMap (\(x, m) -> replicate m x) (e
 -- | Roots with multiplicities of a polynomial of a degree, from those of its derivative.
 exactChain :: Int -> [Integer] -> [(Double, Int)]
 exactChain 0 _ = []
-exactChain n p = go (negate top) (signAt (negate top)) (exactChain (n - 1) (zipWith (*) p (map toInteger [n, n - 1 .. 1])))
+exactChain n p = go (negate top) (signAt (negate top)) (zip3 criticals touching (zipWith3 counts (False : touching) criticals (drop 1 touching ++ [False])))
   where
     -- The place after the largest double: decodeFloat takes infinity for 2^1024.
     top = position (1 / 0)
     signAt = signum . evaluated p . dyadic . ordinal
+    criticals = exactChain (n - 1) (zipWith (*) p (map toInteger [n, n - 1 .. 1]))
+    touching = map (uncurry touches) criticals
+    -- Given whether the neighbours touch. Between two that do, the polynomial rises or falls, so that they cannot both be roots.
+    counts before (c, _) after = signAt (position c) == 0 || not (before || after)
     go i s [] = crossing i s top (signAt top)
-    go i s ((c, m) : rest)
-      | touches c m = crossing i s j 0 ++ (c, m + 1) : go j 0 rest
+    go i s (((c, m), touch, alone) : rest)
+      | touch && alone = crossing i s j 0 ++ (c, m + 1) : go j 0 rest
       | otherwise = crossing i s j s' ++ go j s' rest
       where
         j = position c

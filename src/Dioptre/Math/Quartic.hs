@@ -134,7 +134,7 @@ larger x y = if x > y then x else y
 data Chain
   = End
   | Link !Double !Int !Chain
-  | -- | The digits at hand do not tell.
+  | -- | The digits at hand do not tell, or two neighbours are in each other's way: whole numbers decide.
     Unsure
 
 -- | A place before others.
@@ -302,7 +302,7 @@ between p@(Poly a b c _ d e) criticals = case criticals of
       Link y m rest' -> settled y m rest' $ \v' ->
         if v * v' < 0
           then link (root p (signum v) x y (inner x v y v')) 1 (from y v' m rest')
-          else from y v' m rest'
+          else if v == 0 && v' == 0 then Unsure else from y v' m rest'
       Unsure -> Unsure
     -- The value at a critical point, zero if it counts as zero.
     settled :: Double -> Int -> Chain -> (Double -> Chain) -> Chain
@@ -408,6 +408,10 @@ The second is about the coefficients: moved by 8 eps of themselves, they make c 
 The other way round: let a polynomial with a double root r, and others well apart, have its coefficients rounded. Then p(r) is at most eps s; T r^2 is about s
 unless other roots are near; and 3/4 2^-50 is 6 eps. So it is merged, and r is found as the zero of p', a simple one, to full accuracy, not as
 two roots that are 10^-8 apart, or as none. That is what makes a ray tangent to a torus hit it, and twice.
+
+Two neighbours c may both pass: where three roots nearly coincide, and c1, c2 are a little too far apart to be one. They cannot both be roots, since p rises or falls
+between them; if each were a double root, a cubic polynomial would have four. Then neither counts (unless p(c) is zero exactly), and the roots are what the signs say: 'exactRoots' sees to it. With no two neighbours
+that count there are never more roots than the degree: k critical points leave k + 1 intervals, and each that counts takes the two beside it, which are its own, and gives m + 1.
 
 Roots near zero are no exception, since everything is relative to their size: p(0) = 0 is decided exactly, beforehand.
 

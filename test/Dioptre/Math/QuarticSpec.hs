@@ -18,6 +18,11 @@ spec = do
     it "gives a double root twice" $ cubicRoots 1 (-3) 0 4 `shouldBe` [-1, 2, 2]
     it "gives the triple root of x^3 three times" $ map show (cubicRoots (-1) 0 0 0) `shouldBe` ["0.0", "0.0", "0.0"]
     it "gives a triple root that is no double" $ cubicRoots 27 (-27) 9 (-1) `shouldBe` [1 / 3, 1 / 3, 1 / 3]
+    describe "of (x - 1)^3 - e (x - 1), with roots 1, 1 +- sqrt e" $ do
+      let near e = cubicRoots 1 (-3) (3 - e) (e - 1)
+      it "gives one root three times where rounding may have torn it" $ map near [0x1p-51, 0x1p-49, -0x1p-49] `shouldBe` replicate 3 [1, 1, 1]
+      it "gives each once where that cannot be, and never four" $ map (length . near) [0x5p-51, 0x3p-50, 0x1p-48] `shouldBe` [3, 3, 3]
+      it "gives the only one where the others are complex" $ near (-0x1p-48) `shouldBe` [1]
     it "finds the one root of x^3 - 8" $ cubicRoots 1 0 0 (-8) `shouldBe` [2]
     it "sorts a zero among the others" $ cubicRoots 1 0 (-1) 0 `shouldBe` [-1, 0, 1]
     -- Wallis's equation; 2.09455148154232659148238654057930 (OEIS A007493)
