@@ -78,8 +78,20 @@ def tripled(e):
     return [Fraction(1), Fraction(-3), 3 - e, e - 1], abs(e) <= Fraction(9, 4) / 2**50
 
 
+def beside(low, high, chance):
+    """x^3 - 3 c x^2 + ..., which is (x - c)^3 - e (x - c) + v, with e near 3/2 2^-50 and |v| between low 2^-75 and high 2^-75: c, e and v. The coefficients are multiples of 2^-51 and 2^-52."""
+    while True:
+        c = 1 + Fraction(chance.getrandbits(38), 2**51)
+        linear = Fraction(math.floor((3 * c * c - Fraction(3, 2**51)) * 2**51), 2**51)
+        e = 3 * c * c - linear
+        rest = e * c - c**3
+        v = Fraction(round(rest * 2**52), 2**52) - rest
+        if low < abs(v) * 2**75 < high:
+            return c, e, v
+
+
 def cubics():
-    made = []
+    made, chance = [], random.Random(75)
     for times, k in ((1, 51), (1, 50), (1, 49), (1, 48), (1, 47), (-1, 51), (-1, 50), (-1, 48), (5, 51), (3, 50)):
         p, triple = tripled(Fraction(times, 2**k))
         if any(Fraction(float(c)) != c for c in p):
@@ -105,6 +117,23 @@ def cubics():
             raise ValueError(f"{p} are not binary64 numbers")
         roots = [x for x in roots_maths.real_roots(p) if abs(x) < huge - Fraction(2) ** 970]
         made.append(case("roots.finite roots.multiple", f"A root next to the largest number{' with a minus' if sign < 0 else ''}, another just beyond, and so is the zero of the derivative between them: the first is given as it is", "overflow merged", roots_maths.sent(*map(float, p)), [nearest(x) for x in roots], "rel:1e-7", EXACT))
+    # The derivative is 3 (x - c)^2 - e, with a double zero at c: a triple root of p if |v| <= 3/4 2^-75 c^3. With two zeros there, one of which counts, there would be a double root and another.
+    for low, high in ((0.2, 0.6), (1.2, 1.6)):
+        for _ in range(2):
+            c, e, v = beside(low, high, chance)
+            p = [Fraction(1), -3 * c, 3 * c * c - e, v + e * c - c**3]
+            if any(Fraction(float(x)) != x for x in p):
+                raise ValueError(f"{p} are not binary64 numbers")
+            if e > Fraction(9, 4) / 2**50 * c * c:
+                raise ValueError("no double zero")
+            for turned in (False, True):
+                q = [x * (-1) ** i for i, x in enumerate(p)] if turned else p
+                triple, only = abs(v) <= Fraction(3, 4) / 2**75 * c**3, roots_maths.real_roots(q)
+                if not triple and len(only) != 1:
+                    raise ValueError("more than one root")
+                size, sign = f"{float(abs(v) * 2**75):.2f} 2^-75", "-" if turned else ""
+                made.append(case("roots.multiple", f"{sign}(1 + {float(c - 1):.1e}), where the value is {size}: {'a triple root' if triple else 'none, and one root beside it'}", "triple-root count" if triple else "merged count",
+                                 roots_maths.sent(*map(float, q)), [nearest(-c if turned else c)] * 3 if triple else [nearest(x) for x in only], "rel:1e-10" if triple else "rel:2e-5", EXACT))
     return made
 
 
@@ -211,6 +240,18 @@ def tall_lenses():
                     o = [-5.5, 0.5, centre + inwards * away - 5.5 * slope]
                     comment = f"A tall lens, {where} of the {end} face, {'upwards' if slope > 0 else 'downwards'}, curvature {curvature}"
                     made.append(hit("geometry.lens.body geometry.lens.normal", comment, "long-lens nan", shape, o, [1, 0, slope], "abs:1e-12"))
+    return made
+
+
+def long_triangles():
+    """Triangles with one corner near and two far away: the plane is the one through P0, and rounds as the numbers of P0 do."""
+    made, near, o = [], [0.25, -0.5, 0.125], [0.7, 0.9, 5]
+    for size in (1e7, 1e8):
+        for one, two in (([1, 0.3, 0.1], [-0.2, 1, 0.4]), ([-0.7, 0.6, 0.2], [-0.1, -0.9, 0.3])):
+            far = [[a + size * b for a, b in zip(near, edge)] for edge in (one, two)]
+            d = [round(a + 0.5 * b + 0.25 * c - x, 3) for a, b, c, x in zip(near, one, two, o)]
+            for corners in ([near, *far], [near, *far[::-1]]):
+                made.append(hit("geometry.triangle.parameters", f"Two corners are {size:.0e} away, the first is near", "cancellation swapped-index", {"kind": "triangle", "point": corners}, o, d, "abs:1e-13"))
     return made
 
 
@@ -397,7 +438,7 @@ def flat_random():
 
 
 def operations():
-    return {"roots.cubic": cubics(), "roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges() + short_axes() + tall_lenses(), "geometry.contains": at_the_bound(), "scene.check": checks(), "triangle.barycentric": needles(), "scene.pixel": many() + open_glass() + flat_random() + within_many()}
+    return {"roots.cubic": cubics(), "roots.quartic": quartics(), "intersect.cones": far_cones(), "geometry.hit": hits() + edges() + short_axes() + tall_lenses() + long_triangles(), "geometry.contains": at_the_bound(), "scene.check": checks(), "triangle.barycentric": needles(), "scene.pixel": many() + open_glass() + flat_random() + within_many()}
 
 
 if __name__ == "__main__":
