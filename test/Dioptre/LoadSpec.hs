@@ -18,7 +18,7 @@ import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Geometry.Shape (Shape (ASphere))
 import Dioptre.Geometry.Sphere (sphereRadius)
 import Dioptre.Light.Colour (rgb)
-import Dioptre.Light.Finish (Finish (..), Layer (..))
+import Dioptre.Light.Finish
 import Dioptre.Load
 import Dioptre.Load.Amount (Amount (..), ModelRead (..))
 import Dioptre.Math.Transform (transformTranslation)
@@ -174,7 +174,7 @@ spec = do
           ]
           (savePicture "m/bark.png" green)
       saidIn loaded `shouldBe` []
-      [(finishDiffuse f, finishShininess f) | f <- finishesOf loaded]
+      [(finishDiffuse f, shininessOf (finishColours f)) | f <- finishesOf loaded]
         `shouldBe` [(Layer (rgb 1 0 0) Nothing, 9), (Layer (rgb 0 0 1) (Just (Texture FromFirstRow green)), 5)]
     it "is told where it is missing, and so are its library and its picture" $ do
       loaded <-

@@ -48,9 +48,9 @@ import Data.Text (Text)
 import Dioptre.Explain.Story
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Light.Colour (Colour (..))
+import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Math.Vector (Vector, vector)
 import Dioptre.Picture.Byte (Pixel (..))
-import Dioptre.Render.Shade (Colours (..), Way (..))
 import Dioptre.Scene.Raytracer (Raytracer (..), algorithmName)
 import Dioptre.Syntax.Keyword (spelling)
 import Linear.V2 (V2 (..))
@@ -221,7 +221,7 @@ share s =
       Nowhere -> ("nowhere", [])
       FacesAway way -> ("facesAway", approach way)
       InShadow way by -> ("shadow", approach way <> concat [["by" .= shape thing, "byDistance" .= t] | Just (thing, t) <- [by]])
-      Arrives way open through -> ("arrives", approach way <> ["through" .= map shape through | not (null through)] <> ["filter" .= [r, g, b] | Tinted r g b <- [open]])
+      Arrives way open through -> ("arrives", approach way <> ["through" .= map shape through | not (null through)] <> ["filter" .= [red open, green open, blue open] | not (null through)])
     approach way =
       ["direction" .= vec (approachDirection way)]
         <> ["distance" .= far | Just far <- [approachDistance way]]

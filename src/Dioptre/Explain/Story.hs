@@ -60,9 +60,9 @@ where
 import Data.Text (Text)
 import Dioptre.Geometry.Ray (Ray)
 import Dioptre.Light.Colour (Colour)
+import Dioptre.Light.Finish (Colours)
 import Dioptre.Math.Vector (Point, Unit, Vector)
 import Dioptre.Picture.Byte (Pixel)
-import Dioptre.Render.Shade (Colours, Way)
 import Dioptre.Scene.Raytracer (Raytracer)
 import Dioptre.Syntax.Keyword (Keyword)
 import Linear.V2 (V2)
@@ -349,7 +349,7 @@ data Arrival
   | -- | Something is in the way: what, if it can be told, and how far from the point.
     InShadow Approach (Maybe (Thing, Double))
   | -- | Directly, or through transparent shapes: what they leave of it, and which they are.
-    Arrives Approach Way [Thing]
+    Arrives Approach Colour [Thing]
   deriving stock (Eq, Show)
 
 -- | The way from a light to a point.

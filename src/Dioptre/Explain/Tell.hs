@@ -24,8 +24,8 @@ import Dioptre.Explain.Story
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Prepared (isClosed, nearest, normalAt, parameters, shadingNormal, textureAt)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Light.Colour (Colour (..), black, capped, plus, scaled)
-import Dioptre.Light.Finish (Finish (..), hasPictures, isTransparent)
+import Dioptre.Light.Colour (Colour (..), black, capped, plus, rgb, scaled)
+import Dioptre.Light.Finish (Colours (..), Finish (..), hasPictures, isTransparent)
 import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Vector (Point, Unit, Vector, angle, dot, modulus, opposite, packed, packedUnit, unpacked, vector, (^/))
 import Dioptre.Model.Library (Library)
@@ -35,7 +35,7 @@ import Dioptre.Picture.Byte (normalized, pixelOf)
 import Dioptre.Render.Closest (closest)
 import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
 import Dioptre.Render.Sampling (offset)
-import Dioptre.Render.Shade (Colours (..), Lit (..), Passage (..), Way (..), coloursAt, lighting, mediumAt, mostRays, passage)
+import Dioptre.Render.Shade (Lit (..), Passage (..), coloursAt, lighting, mediumAt, mostRays, passage)
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.Texture (Assets, Texture)
@@ -112,7 +112,7 @@ sampleOf setting at r =
       sampleCut = cut
     }
   where
-    (Count followed cut, story) = follow setting FromCamera 1 (1, 1, 1) (mediumAt (stageOf setting) Nothing (origin r)) r (Count 0 False)
+    (Count followed cut, story) = follow setting FromCamera 1 (1, 1, 1) (mediumAt (stageWorld (stageOf setting)) Nothing (origin r)) r (Count 0 False)
 
 -- | A ray and all that come from it, in the order in which they are followed.
 allRays :: RayStory -> [RayStory]
@@ -275,12 +275,12 @@ sharesOf setting terms colours p n v = zipWith share [0 ..] (Vector.toList (stag
 arrivalOf :: Setting -> Point -> Approach -> Arrival
 arrivalOf setting p way
   | approachCosine way <= 0 = FacesAway way
-  | otherwise = case passage (stageWorld st) shadow distance' of
-    Passage Blocked _ -> InShadow way (blocker setting shadow distance')
-    Passage open _ -> Arrives way open [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent (obstacles (stageWorld st) shadow distance')), Just found <- [find (shapes setting) i]]
+  | obstaclesOpaque between = InShadow way (blocker setting shadow distance')
+  | Passage r g b _ <- passage (stageWorld st) shadow distance' = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
   where
     st = stageOf setting
     shadow = ray p (negate (approachDirection way))
+    between = obstacles (stageWorld st) shadow distance'
     distance' = fromMaybe (1 / 0) (approachDistance way)
 
 -- | What lets nothing through on the way of a shadow ray, and where: the nearest such shape, or, behind transparent ones, the first in number.
@@ -309,7 +309,7 @@ bouncesOf setting depth (wr, wg, wb) index (Surface shape f) r p outward n numbe
     kr = finishMirror f
     kt = finishTransparency f
     leaving = dot v (vector outward) > 0
-    beyond = if leaving then mediumAt st (Just number) p else finishIndex f
+    beyond = if leaving then mediumAt (stageWorld st) (Just number) p else finishIndex f
     passes
       | leaving = (kt * wr, kt * wg, kt * wb)
       | otherwise = let Colour tr tg tb _ = finishTint f in (capped (tr * wr), capped (tg * wg), capped (tb * wb))

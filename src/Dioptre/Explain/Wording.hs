@@ -18,9 +18,10 @@ import Dioptre.Explain.Phrase
 import Dioptre.Explain.Story
 import Dioptre.Explain.Trials (missesText, trialsText)
 import Dioptre.Light.Colour (Colour (..), black)
+import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Math.Vector (vector)
 import Dioptre.Picture.Byte (Pixel (..))
-import Dioptre.Render.Shade (Colours (..), Way (..), mostRays)
+import Dioptre.Render.Shade (mostRays)
 import Dioptre.Scene.Raytracer (ColourNormalization (..), Raytracer (..), algorithmName)
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Syntax.Value (showReal)
@@ -220,9 +221,7 @@ shareText l share = ("  " <> number (shareLight share + 1) <> " " <> kind <> " "
       InShadow way by -> say "nothing: in the shadow" "rien\xA0: dans l'ombre" <> maybe "" (\(thing, t) -> say " of " " de " <> theThing l thing <> say ", " ", à " <> showReal t <> say " away" "") by <> wayText way
       Arrives way open through ->
         say "arrives" "arrive" <> (if null through then "" else say " through " " à travers " <> Text.intercalate ", " (map (theThing l) through) <> tint open) <> wayText way
-    tint open = case open of
-      Tinted r g b -> say ", times " ", fois " <> triple (r, g, b)
-      _ -> ""
+    tint (Colour r g b _) = say ", times " ", fois " <> triple (r, g, b)
     wayText way =
       maybe "" (\far -> say "; distance " "\xA0; distance " <> showReal far <> (if approachFactor way == 1 then "" else say ", attenuation " ", atténuation " <> showReal (approachFactor way))) (approachDistance way)
         <> say "; cosine " "\xA0; cosinus "

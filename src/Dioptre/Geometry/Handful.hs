@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 -fno-full-laziness #-}
+{-# OPTIONS_GHC -O2 -fno-full-laziness -fmax-worker-args=24 #-}
 
 -- |
 -- Module      : Dioptre.Geometry.Handful
@@ -10,7 +10,6 @@
 module Dioptre.Geometry.Handful
   ( Handful,
     handful,
-    isHandful,
 
     -- * Intersecting
     closestInHandful,
@@ -19,6 +18,7 @@ module Dioptre.Geometry.Handful
 where
 
 import Data.Primitive.PrimArray
+import Data.Primitive.SmallArray
 import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import Dioptre.Geometry.Closest (Closest (..), slightlyBeyond)
@@ -30,14 +30,12 @@ import Linear.V3 (V3 (..))
 
 -- | Shapes, numbered from 0.
 data Handful = Handful
-  { -- | The centre and the squared radius of each sphere.
-    spheres :: {-# UNPACK #-} !(PrimArray Double),
-    -- | The spheres' numbers.
-    sphereNumbers :: {-# UNPACK #-} !(PrimArray Int),
+  { -- | The centres of the spheres, coordinate by coordinate, and their squared radii.
+    centresX, centresY, centresZ, radiiSquared :: {-# UNPACK #-} !(PrimArray Double),
     -- | The shapes that are no spheres.
-    others :: {-# UNPACK #-} !(Vector Prepared),
-    -- | Their numbers.
-    otherNumbers :: {-# UNPACK #-} !(PrimArray Int)
+    others :: {-# UNPACK #-} !(SmallArray Prepared),
+    -- | The spheres' numbers, then those of the others.
+    numbers :: {-# UNPACK #-} !(PrimArray Int)
   }
   deriving stock (Eq, Show)
 
@@ -45,74 +43,72 @@ data Handful = Handful
 handful :: Vector Prepared -> Handful
 handful shapes =
   Handful
-    { spheres = primArrayFromList (concat [[x, y, z, radiusSquared] | (_, (V3 x y z, radiusSquared)) <- round']),
-      sphereNumbers = primArrayFromList (map fst round'),
-      others = Vector.fromList (map snd rest),
-      otherNumbers = primArrayFromList (map fst rest)
+    { centresX = primArrayFromList [x | (_, (V3 x _ _, _)) <- round'],
+      centresY = primArrayFromList [y | (_, (V3 _ y _, _)) <- round'],
+      centresZ = primArrayFromList [z | (_, (V3 _ _ z, _)) <- round'],
+      radiiSquared = primArrayFromList [q | (_, (_, q)) <- round'],
+      others = smallArrayFromList (map snd rest),
+      numbers = primArrayFromList (map fst round' ++ map fst rest)
     }
   where
     numbered = zip [0 ..] (Vector.toList shapes)
     round' = [(i, ball) | (i, s) <- numbered, Just ball <- [preparedSphere s]]
     rest = [(i, s) | (i, s) <- numbered, Nothing <- [preparedSphere s]]
 
--- | Whether there are any.
-isHandful :: Handful -> Bool
-isHandful h = sizeofPrimArray (spheres h) > 0 || Vector.length (others h) > 0
-{-# INLINE isHandful #-}
-
 -- | What a ray meets first, nearer than a bound.
 --
 -- Law: as offering every shape. Cost: an equation for each shape.
 closestInHandful :: Handful -> Ray -> Double -> Closest
-closestInHandful h !r = amongOthers 0 (-1)
+closestInHandful h !r !bound = amongOthers 0 (-1) bound
   where
-    !ends = sizeofPrimArray (spheres h)
-    !count = Vector.length (others h)
+    !spheres = sizeofPrimArray (radiiSquared h)
+    !count = sizeofPrimArray (numbers h)
     -- In the order of their numbers the first of several at one parameter is kept. Places are below the number of shapes.
     amongOthers :: Int -> Int -> Double -> Closest
     amongOthers !i !number !best
-      | i >= count = amongSpheres 0 number best
+      | i >= count - spheres = amongSpheres 0 number best
       | otherwise =
-        let !t = nearest (Vector.unsafeIndex (others h) i) r best
-         in if t < best then amongOthers (i + 1) (indexPrimArray (otherNumbers h) i) t else amongOthers (i + 1) number best
+        let !t = nearest (indexSmallArray (others h) i) r best
+         in if t < best then amongOthers (i + 1) (indexPrimArray (numbers h) (spheres + i)) t else amongOthers (i + 1) number best
     amongSpheres :: Int -> Int -> Double -> Closest
-    amongSpheres !at !number !best
-      | at >= ends = Closest best number (ends `quot` 4 + count)
-      | sphereAt h at sphereClearlyMissed r = amongSpheres (at + 4) number best
+    amongSpheres !i !number !best
+      | i >= spheres = Closest best number count
+      | sphereAt h i sphereClearlyMissed r = amongSpheres (i + 1) number best
       | otherwise =
-        let !t = firstAhead (sphereAt h at sphereParametersAhead r) (slightlyBeyond best)
-            !mine = indexPrimArray (sphereNumbers h) (at `quot` 4)
-         in if t < best || (t == best && mine < number) then amongSpheres (at + 4) mine t else amongSpheres (at + 4) number best
-{-# INLINE closestInHandful #-}
+        let !t = firstAhead (sphereAt h i sphereParametersAhead r) (slightlyBeyond best)
+            !mine = indexPrimArray (numbers h) i
+         in if t < best || (t == best && mine < number) then amongSpheres (i + 1) mine t else amongSpheres (i + 1) number best
+{-# NOINLINE closestInHandful #-}
 
 -- | Goes through the shapes that a ray meets nearer than a bound, in a fixed order: for each, what to do with its number and the result so far, given how many shapes have been tried
 -- and how to go on.
 foldMet :: Handful -> Ray -> Double -> (Int -> Int -> a -> (a -> b) -> b) -> (Int -> a -> b) -> a -> b
 foldMet h !r !bound each end = amongSpheres 0
   where
-    !ends = sizeofPrimArray (spheres h)
-    !count = Vector.length (others h)
-    amongSpheres !at a
-      | at >= ends = amongOthers 0 a
-      | sphereAt h at sphereClearlyMissed r = amongSpheres (at + 4) a
-      | firstAhead (sphereAt h at sphereParametersAhead r) bound < bound = each (at `quot` 4 + 1) (indexPrimArray (sphereNumbers h) (at `quot` 4)) a (amongSpheres (at + 4))
-      | otherwise = amongSpheres (at + 4) a
+    !spheres = sizeofPrimArray (radiiSquared h)
+    !count = sizeofPrimArray (numbers h)
+    amongSpheres !i a
+      | i >= spheres = amongOthers i a
+      | sphereAt h i sphereClearlyMissed r = amongSpheres (i + 1) a
+      | firstAhead (sphereAt h i sphereParametersAhead r) bound < bound = each (i + 1) (indexPrimArray (numbers h) i) a (amongSpheres (i + 1))
+      | otherwise = amongSpheres (i + 1) a
     amongOthers !i a
-      | i >= count = end (ends `quot` 4 + count) a
+      | i >= count = end count a
       -- Places are below the number of shapes.
-      | nearest (Vector.unsafeIndex (others h) i) r bound < bound = each (ends `quot` 4 + i + 1) (indexPrimArray (otherNumbers h) i) a (amongOthers (i + 1))
+      | nearest (indexSmallArray (others h) (i - spheres)) r bound < bound = each (i + 1) (indexPrimArray (numbers h) i) a (amongOthers (i + 1))
       | otherwise = amongOthers (i + 1) a
 {-# INLINE foldMet #-}
 
--- | Asks something of the sphere whose four numbers begin there.
+-- | Asks something of the sphere at that place.
 sphereAt :: Handful -> Int -> (Point -> Double -> a) -> a
-sphereAt h !at ask = ask (V3 (number 0) (number 1) (number 2)) (number 3)
-  where
-    number k = indexPrimArray (spheres h) (at + k)
+sphereAt h !i ask = ask (V3 (indexPrimArray (centresX h) i) (indexPrimArray (centresY h) i) (indexPrimArray (centresZ h) i)) (indexPrimArray (radiiSquared h) i)
 {-# INLINE sphereAt #-}
 
 -- Note [Plain numbers]
 -- ~~~~~~~~~~~~~~~~~~~~
 -- A shape in a vector is a pointer to a constructor of some kind. Before GHC 9.0 looks at it, it puts everything that the loop knows on the stack, and takes it back afterwards, since the
 -- shape might not be computed yet; then it jumps by the kind. All of that takes as long as a sphere's equation. But spheres are what most small scenes are made of, and they are all alike: their
--- numbers are read from where they stand, and the loop stays in the registers. Most are missed, which is the first thing that is asked, and the last before the next one's turn.
+-- numbers are read from where they stand, coordinate by coordinate, so that one index serves all. Most are missed, which is the first thing that is asked, and the last before the next one's turn.
+--
+-- The loop needs fifteen numbers at once, and a processor has room for sixteen. So the search for what is closest is a function of its own ('closestInHandful'), which has no other numbers to keep; it gets the numbers of the ray and of
+-- the shapes one by one (-fmax-worker-args, see Note [Numbers that travel] of "Dioptre.Render.Shade"), and makes nothing.

@@ -74,22 +74,28 @@ hierarchyBox h
 
 -- | The places of each leaf: the first, and the one behind the last.
 hierarchyLeaves :: Hierarchy -> [(Int, Int)]
-hierarchyLeaves h = [placesOf link | node <- [0 .. hierarchyNodes h - 1], let link = linkOf h node, isLeaf link]
+hierarchyLeaves h = [placesOf link | node <- [0 .. hierarchyNodes h - 1], let link = linkOf h (nodeWords * node), isLeaf link]
+
+-- A node is known by the place of its first word.
 
 -- | One of the six numbers of a node.
 faceOf :: Hierarchy -> Int -> Int -> Double
-faceOf h node k = indexByteArray (nodes h) (8 * node + k)
+faceOf h node k = indexByteArray (nodes h) (node + k)
 {-# INLINE faceOf #-}
 
 -- | The link of a node.
 linkOf :: Hierarchy -> Int -> Int
-linkOf h node = indexByteArray (nodes h) (8 * node + 6)
+linkOf h node = indexByteArray (nodes h) (node + 6)
 {-# INLINE linkOf #-}
 
 -- | The fork that a node is a part of.
 forkOver :: Hierarchy -> Int -> Int
-forkOver h node = indexByteArray (nodes h) (8 * node + 7)
+forkOver h node = indexByteArray (nodes h) (node + 7)
 {-# INLINE forkOver #-}
+
+-- | How many words a node takes.
+nodeWords :: Int
+nodeWords = 8
 
 -------------------------------------------------------------------------------
 -- Following a ray
@@ -109,7 +115,7 @@ descend h a far range found0
   | otherwise = visit 0 (0 :: Word64) (far first) first (boxless h)
   where
     !first = if boxless h > 0 then range 0 (boxless h) found0 else found0
-    -- Node numbers are below the number of nodes: 0 is, as there are any; the next node follows each fork; links and parents are nodes.
+    -- Places of nodes are within the array: 0 is, as there are any; the next node follows each fork; links and parents are nodes.
     --
     -- How far the ray matters is kept beside what was found: looking into a value that may be unevaluated, at each box, would make the loop save all its registers each time.
     visit !node !trail !reach found !tried
@@ -118,7 +124,7 @@ descend h a far range found0
         let !(!place, !end) = placesOf link
             !found' = range place end found
          in onward node trail (far found') found' (tried + end - place)
-      | otherwise = visit (node + (if runsDown a (coordinateOf link) then aheadOf link else 1)) ((trail `shiftL` 1) .|. 1) reach found tried
+      | otherwise = visit (node + (if runsDown a (coordinateOf link) then wordsAhead link else nodeWords)) ((trail `shiftL` 1) .|. 1) reach found tried
       where
         !link = linkOf h node
     onward !node !trail !reach found !tried
@@ -126,7 +132,7 @@ descend h a far range found0
       | trail .&. 1 == 0 = onward (forkOver h node) (trail `shiftR` 1) reach found tried
       | otherwise =
         let !fork = forkOver h node
-            !other = if node == fork + 1 then fork + aheadOf (linkOf h fork) else fork + 1
+            !other = if node == fork + nodeWords then fork + wordsAhead (linkOf h fork) else fork + nodeWords
          in visit other (trail - 1) reach found tried
     -- Out of line, since GHC makes sure of room for what is made at the end of a loop at each of its turns.
     done found !tried = Tried found tried
@@ -177,8 +183,8 @@ toNodes f l = runByteArray $ do
     writeByteArray target (8 * node + 6) (indexPrimArray l node)
     when (node == 0) $ writeByteArray target 7 (0 :: Int)
     unless (isLeaf (indexPrimArray l node)) $ do
-      writeByteArray target (8 * (node + 1) + 7) node
-      writeByteArray target (8 * (node + aheadOf (indexPrimArray l node)) + 7) node
+      writeByteArray target (8 * (node + 1) + 7) (8 * node)
+      writeByteArray target (8 * node + wordsAhead (indexPrimArray l node) + 7) (8 * node)
   pure target
   where
     count = sizeofPrimArray l

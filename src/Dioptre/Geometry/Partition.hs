@@ -27,13 +27,13 @@ module Dioptre.Geometry.Partition
     leafAfter,
     placesOf,
     coordinateOf,
-    aheadOf,
+    wordsAhead,
   )
 where
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
-import Data.Bits (shiftL, shiftR, (.&.), (.|.))
+import Data.Bits (complement, shiftL, shiftR, (.&.), (.|.))
 import Data.Primitive.PrimArray
 import GHC.Conc (par, pseq)
 
@@ -66,10 +66,10 @@ coordinateOf :: Int -> Int
 coordinateOf link = (link `shiftR` 1) .&. 3
 {-# INLINE coordinateOf #-}
 
--- | How many nodes ahead the second part of a fork is.
-aheadOf :: Int -> Int
-aheadOf link = link `shiftR` 3
-{-# INLINE aheadOf #-}
+-- | How far ahead the second part of a fork is, for nodes of eight words each.
+wordsAhead :: Int -> Int
+wordsAhead link = link .&. complement 7
+{-# INLINE wordsAhead #-}
 
 -- | The same link where the items stand so many places farther on.
 leafAfter :: Int -> Int -> Int

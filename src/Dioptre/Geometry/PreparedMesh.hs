@@ -189,7 +189,7 @@ closestTriangle m first r c = case descend (preparedMeshHierarchy m) (approach r
   where
     !seen = seenAlong r
 
--- | The same for the triangles at some places.
+-- | The same for the triangles at some places. (In line, as a call would make the loop over the boxes keep its numbers in memory.)
 closestInRange :: PreparedMesh -> Int -> Seen -> Ray -> Int -> Int -> Closest -> Closest
 closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = go from t0 number0
   where
@@ -202,7 +202,7 @@ closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = 
           | t > smallestParameter && t <= b && (t < b || mine < n) = next t mine
           | otherwise = next b n
         mine = first + fromIntegral (indexPrimArray order place)
-{-# NOINLINE closestInRange #-}
+{-# INLINE closestInRange #-}
 
 -- | Whether a ray meets any triangle nearer than a bound, and how many were tried.
 anyTriangle :: PreparedMesh -> Ray -> Double -> (Bool, Int)
@@ -216,7 +216,7 @@ anyInRange :: PreparedMesh -> Seen -> Ray -> Double -> Int -> Int -> Bool -> Boo
 anyInRange m !seen !r !bound !from !end known = known || go from
   where
     go !place = place < end && foldr (\t next -> (t > smallestParameter && t < bound) || next) (go (place + 1)) (parametersAt m seen r place)
-{-# NOINLINE anyInRange #-}
+{-# INLINE anyInRange #-}
 
 -- | How a ray sees corners: which coordinates are x, y and z in the frame in which its direction's largest component is z, the origin in that frame, and the shear that
 -- makes the direction the z axis. (Note [Watertight] of "Dioptre.Geometry.Triangle".)

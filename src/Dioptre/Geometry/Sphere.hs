@@ -61,7 +61,7 @@ sphereParameters c radiusSquared r = quadraticRoots (directionQuadrance r) (2 * 
 
 -- | Whether it is clear at once that a ray's line does not meet the sphere, as it is for most.
 sphereClearlyMissed :: Point -> Double -> Ray -> Bool
-sphereClearlyMissed c radiusSquared r = clearlyNone (directionQuadrance r) (2 * dot w d) (dot w w - radiusSquared)
+sphereClearlyMissed c radiusSquared r = clearlyNone (directionQuadrance r) (dot w d) (dot w w - radiusSquared)
   where
     d = direction r
     w = origin r - c

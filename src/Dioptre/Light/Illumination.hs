@@ -82,3 +82,4 @@ power x n
       | m == 0 = acc
       | testBit m 0 = squaring (m `unsafeShiftR` 1) (square * square) (acc * square)
       | otherwise = squaring (m `unsafeShiftR` 1) (square * square) acc
+{-# INLINE power #-}

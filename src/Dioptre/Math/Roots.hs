@@ -146,8 +146,8 @@ linear a b
 -- A copy of this stands wherever a shape solves its equation, so it holds the ordinary case and nothing else.
 quadratic :: Double -> Double -> Double -> Roots
 quadratic a b c
-  -- Most rays miss.
-  | clearlyNone a b c = None
+  -- Most rays miss. (Rounding keeps order: u < v, as computed, proves D < 0, however small the products are, and whatever a and b are. Where 4 a is out of range, nothing is proved.)
+  | u < v && v < 0x1p1023 = None
   | roomy (u + abs v) && roomy (abs a) && b /= 0 = solved (/) a b c u v
   | otherwise = quadraticElsewhere a b c
   where
@@ -155,13 +155,11 @@ quadratic a b c
     !v = (4 * a) * c
 {-# INLINE quadratic #-}
 
--- | Whether it is clear at once that @a x^2 + b x + c@ has no root, as it is for most rays and most shapes: rounding keeps order, so that u < v, as computed, proves D < 0. This holds however small the products are, and whatever a and
--- b are; only where v is out of range is nothing proved.
+-- | Whether it is clear at once that @a x^2 + 2 h x + c@ has no root, as it is for most rays and most shapes: rounding keeps order, so that h h < a c, as computed, proves it, however small or large the products are.
+--
+-- Law: then 'quadraticRoots' @a (2 h) c@ has none.
 clearlyNone :: Double -> Double -> Double -> Bool
-clearlyNone a b c = u < v && v < 0x1p1023
-  where
-    !u = b * b
-    !v = (4 * a) * c
+clearlyNone a h c = h * h < a * c
 {-# INLINE clearlyNone #-}
 
 -- | Whether a magnitude is far from both ends of the range of exponents; false for zero, infinity and NaN.

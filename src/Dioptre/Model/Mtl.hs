@@ -39,7 +39,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Dioptre.Light.Colour (Colour (..), black, rgb)
-import Dioptre.Light.Finish (Finish (..), Layer (..))
+import Dioptre.Light.Finish hiding (finish)
 import Dioptre.Model.Obj.Materials (Named (..), defaultMaterial)
 import Dioptre.Model.Single (single)
 import Dioptre.Source.Diagnostic
@@ -68,10 +68,8 @@ unknown = matt (rgb 0.1 0.1 0.1) (rgb 0.3 0.7 0.3) (rgb 0.05 0.05 0.05)
 matt :: Colour -> Colour -> Colour -> Finish picture
 matt ambient diffuse specular =
   Finish
-    { finishAmbient = Layer ambient Nothing,
-      finishDiffuse = Layer diffuse Nothing,
-      finishSpecular = Layer specular Nothing,
-      finishShininess = 5,
+    { finishColours = Colours ambient diffuse specular 5,
+      finishPictures = NoPictures,
       finishMirror = 0,
       finishTransparency = 0,
       finishTint = black,
@@ -188,16 +186,16 @@ finishFrom = fmap concat . mapAccumL step unsaid
 -- | What a line does to a finish, and what is wrong with the line; 'Nothing' if its word is none of those that count.
 property :: Statement -> Maybe (Finish Named -> (Finish Named, [Diagnostic]))
 property (Statement word rest l) = case tokenText word of
-  "Ka" -> Just (colour finishAmbient (\layer f -> f {finishAmbient = layer}))
-  "Kd" -> Just (colour finishDiffuse (\layer f -> f {finishDiffuse = layer}))
-  "Ks" -> Just (colour finishSpecular (\layer f -> f {finishSpecular = layer}))
+  "Ka" -> Just (colour finishAmbient withAmbient)
+  "Kd" -> Just (colour finishDiffuse withDiffuse)
+  "Ks" -> Just (colour finishSpecular withSpecular)
   "Ns" -> Just $ \f -> case traverse amount (take 1 numbers) of
-    Right [x] -> (f {finishShininess = x}, [])
-    Right _ -> (f, [refused (tokenSpan word) NothingThere (ARealNumber (AtLeast "0")) (showReal (finishShininess f))])
-    Left (place, why) -> (f, [refused place why (ARealNumber (AtLeast "0")) (showReal (finishShininess f))])
-  "map_Ka" -> Just (picture (\name f -> f {finishAmbient = painted name (finishAmbient f)}))
-  "map_Kd" -> Just (picture (\name f -> f {finishDiffuse = painted name (finishDiffuse f)}))
-  "map_Ks" -> Just (picture (\name f -> f {finishSpecular = painted name (finishSpecular f)}))
+    Right [x] -> (f {finishColours = (finishColours f) {shininessOf = x}}, [])
+    Right _ -> (f, [refused (tokenSpan word) NothingThere (ARealNumber (AtLeast "0")) (showReal (shininessOf (finishColours f)))])
+    Left (place, why) -> (f, [refused place why (ARealNumber (AtLeast "0")) (showReal (shininessOf (finishColours f)))])
+  "map_Ka" -> Just (picture (\name f -> withAmbient (painted name (finishAmbient f)) f))
+  "map_Kd" -> Just (picture (\name f -> withDiffuse (painted name (finishDiffuse f)) f))
+  "map_Ks" -> Just (picture (\name f -> withSpecular (painted name (finishSpecular f)) f))
   _ -> Nothing
   where
     refused place why wanted kept = Diagnostic place (RefusedValue (tokenText word) why wanted kept)

@@ -18,7 +18,7 @@ import Data.Primitive.PrimArray (indexPrimArray)
 import qualified Data.Vector as Vector
 import Dioptre.Geometry.Bounds (approach)
 import Dioptre.Geometry.Closest (Closest (..), below, slightlyBeyond, tried, within)
-import Dioptre.Geometry.Handful (closestInHandful, isHandful)
+import Dioptre.Geometry.Handful (closestInHandful)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Placement (carriedBack)
 import Dioptre.Geometry.Prepared (Prepared, nearest)
@@ -30,13 +30,13 @@ import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), 
 --
 -- Law: as sorting all the hits of all shapes and taking the first. Cost: like the logarithm of the number of shapes that have an end, where they are spread out.
 closest :: World -> Ray -> Double -> Closest
-closest w !r !bound
-  | isHandful (worldHandful w) = closestInHandful (worldHandful w) r bound
-  | otherwise = closestOfMany (root w) r bound
+closest w !r !bound = case w of
+  Few shapes _ _ -> closestInHandful shapes r bound
+  Many g _ -> closestOfMany g r bound
 {-# INLINE closest #-}
 
 closestOfMany :: Group -> Ray -> Double -> Closest
-closestOfMany g r bound = closestInstance g r (closestShape g r (below bound))
+closestOfMany g !r !bound = closestInstance g r (closestShape g r (below bound))
 {-# NOINLINE closestOfMany #-}
 
 closestShape :: Group -> Ray -> Closest -> Closest

@@ -15,10 +15,9 @@ where
 
 import Data.List (foldl')
 import Data.Primitive.PrimArray (indexPrimArray)
-import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import Dioptre.Geometry.Bounds (approach)
-import Dioptre.Geometry.Handful (Handful, foldMet, isHandful)
+import Dioptre.Geometry.Handful (Handful, foldMet)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Placement (carriedBack)
 import Dioptre.Geometry.Prepared (nearest)
@@ -40,20 +39,20 @@ data Obstacles = Obstacles
 
 -- | What a ray meets nearer than a bound; no farther than the first thing that lets nothing through.
 obstacles :: World -> Ray -> Double -> Obstacles
-obstacles w !r !bound
-  | isHandful (worldHandful w) = obstaclesOfFew (worldHandful w) (groupFinishes (root w)) r bound
-  | otherwise = obstaclesOfMany (root w) r bound
+obstacles w !r !bound = case w of
+  Few shapes g _ -> obstaclesOfFew shapes g r bound
+  Many g _ -> obstaclesOfMany g r bound
 {-# INLINE obstacles #-}
 
-obstaclesOfFew :: Handful -> Vector (Finish Texture) -> Ray -> Double -> Obstacles
-obstaclesOfFew h finishes !r !bound = foldMet h r bound each (flip (Obstacles False)) []
+obstaclesOfFew :: Handful -> Group -> Ray -> Double -> Obstacles
+obstaclesOfFew h g !r !bound = foldMet h r bound each (flip (Obstacles False)) []
   where
     each tests number through next
       | isTransparent f = next ((number, f) : through)
       | otherwise = Obstacles True [] tests
       where
         -- Numbers are below the number of shapes, and there are as many finishes.
-        f = Vector.unsafeIndex finishes number
+        f = Vector.unsafeIndex (groupFinishes g) number
 {-# INLINE obstaclesOfFew #-}
 
 obstaclesOfMany :: Group -> Ray -> Double -> Obstacles

@@ -35,8 +35,9 @@ import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Storable.Mutable as Mutable
 import Data.Word (Word8)
 import Dioptre.Geometry.Closest (Closest (..))
+import Dioptre.Geometry.Ray (Ray)
 import Dioptre.Light.Colour (Colour, black, plus, scaled)
-import Dioptre.Light.Finish (Finish (..), Layer (..))
+import Dioptre.Light.Finish (Colours (..), Finish (..))
 import Dioptre.Model.Library (Library)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
 import Dioptre.Render.Closest (closest)
@@ -95,7 +96,7 @@ planWithin part assets library scene =
   where
     st = stage assets library scene
     w = stageWorld st
-    pixelAt = maybe (toPixel black) (\f -> let Layer c _ = finishDiffuse f in toPixel c) . finishAt w
+    pixelAt = maybe (toPixel black) (toPixel . diffuseOf . finishColours) . finishAt w
     tracer = sceneRaytracer scene
     toPixel = pixelOf (raytracerColourNormalization tracer)
 
@@ -162,17 +163,25 @@ flatRow p (Flat background pixels pixelAt) !y target = go 0 0
 
 -- | A row with light, textures or several rays a pixel.
 litRow :: Plan -> Int -> Mutable.MVector s Word8 -> ST s Work
-litRow p !y target = go 0 0 0 0
+litRow p !y target = case stageTerms st of
+  Nothing -> across (unlit st (viewFar v))
+  Just terms -> across (look st terms (viewFar v))
   where
     !width = planWidth p
     !left = windowColumn (planWindow p)
-    normalization = raytracerColourNormalization (planRaytracer p)
-    go !x !rays !tests !cut
-      | x >= width = pure (Work rays tests cut)
-      | otherwise = case colourAt p (left + x) y of
-        Sampled colour (Work n m c) -> do
-          put target x (pixelOf normalization colour)
-          go (x + 1) (rays + n) (tests + m) (cut + c)
+    !v = planView p
+    !st = planStage p
+    !tracer = planRaytracer p
+    !normalization = raytracerColourNormalization tracer
+    across see = go 0 0 0 0
+      where
+        go !x !rays !tests !cut
+          | x >= width = pure (Work rays tests cut)
+          | otherwise = case sampled tracer v see (left + x) y of
+            Sampled colour (Work n m c) -> do
+              put target x (pixelOf normalization colour)
+              go (x + 1) (rays + n) (tests + m) (cut + c)
+    {-# INLINE across #-}
 
 -- | Puts a pixel into a row; its column must be one of the row's.
 put :: Mutable.MVector s Word8 -> Int -> Pixel -> ST s ()
@@ -185,29 +194,29 @@ put target !x (Pixel r g b a) = do
 {-# INLINE put #-}
 
 -- | The colour of a pixel before it becomes one, and what it took.
-data Sampled = Sampled !Colour !Work
+data Sampled = Sampled {-# UNPACK #-} !Colour {-# UNPACK #-} !Work
 
 -- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order and opaque.
 colourAt :: Plan -> Int -> Int -> Sampled
-colourAt p x y
-  | samples == 1 = sample p x y 0
-  | otherwise = total 0 black 0 0 0
+colourAt p = sampled (planRaytracer p) v (maybe (unlit st) (look st) (stageTerms st) (viewFar v))
   where
-    samples = raytracerSampling (planRaytracer p)
-    total !k !sum' !rays !tests !cut
-      | k >= samples = Sampled (scaled (1 / fromIntegral samples) sum') (Work rays tests cut)
-      | otherwise = case sample p x y k of
-        Sampled c (Work n m l) -> total (k + 1) (sum' `plus` c) (rays + n) (tests + m) (cut + l)
-
--- | What one ray through a pixel sees.
-sample :: Plan -> Int -> Int -> Int -> Sampled
-sample p x y k = case seen of
-  Seen colour rays tests cut -> Sampled colour (Work rays tests (if cut then 1 else 0))
-  where
-    seen = case stageTerms st of
-      Nothing -> unlit st (viewFar v) r
-      Just terms -> look st terms (viewFar v) r
     st = planStage p
     v = planView p
-    !(!dx, !dy) = offset (planRaytracer p) (viewWidth v) x y k
-    r = rayThrough v (fromIntegral x + dx) (fromIntegral y + dy)
+
+-- | The same, given what a ray sees.
+sampled :: Raytracer -> View -> (Ray -> Seen) -> Int -> Int -> Sampled
+sampled tracer v see x y
+  | samples == 1 = sample 0
+  | otherwise = total 0 black 0 0 0
+  where
+    samples = raytracerSampling tracer
+    total !k !sum' !rays !tests !cut
+      | k >= samples = Sampled (scaled (1 / fromIntegral samples) sum') (Work rays tests cut)
+      | otherwise = case sample k of
+        Sampled c (Work n m l) -> total (k + 1) (sum' `plus` c) (rays + n) (tests + m) (cut + l)
+    -- What one ray through the pixel sees.
+    sample k = case see (rayThrough v (fromIntegral x + dx) (fromIntegral y + dy)) of
+      Seen colour rays tests cut -> Sampled colour (Work rays tests (if cut then 1 else 0))
+      where
+        !(!dx, !dy) = offset tracer (viewWidth v) x y k
+{-# INLINE sampled #-}

@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 -fno-full-laziness #-}
+{-# OPTIONS_GHC -O2 -fno-full-laziness -fmax-worker-args=40 #-}
 
 -- |
 -- Module      : Dioptre.Render.Shade
@@ -22,10 +22,8 @@ module Dioptre.Render.Shade
 
     -- * Parts
     Lit (..),
-    Colours (..),
     coloursAt,
     lighting,
-    Way (..),
     Passage (..),
     passage,
     mediumAt,
@@ -38,12 +36,12 @@ import qualified Data.Vector as Vector
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Prepared (isClosed, normalAt, shadingNormal, textureAt)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Light.Colour (Colour (..), black, capped, filtered, plus, scaled)
-import Dioptre.Light.Finish (Finish (..), Layer (..), hasPictures, isTransparent)
+import Dioptre.Light.Colour (Colour (..), black, capped, filtered, plus, rgb, scaled)
+import Dioptre.Light.Finish (Colours (..), Finish (..), Pictures (..), hasPictures, isTransparent)
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Packed, Point, Unit, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
+import Dioptre.Math.Vector (Packed, Point, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Closest (closest)
@@ -51,13 +49,14 @@ import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), finishAt, surfaceAt)
 import Dioptre.Render.Surroundings (surroundings)
-import Dioptre.Render.Texture (texel)
+import Dioptre.Render.Texture (Texture, texel)
 import Dioptre.Render.World (World, worldHasMedia)
+import Linear.V2 (V2)
 import Linear.V3 (V3 (..))
 
 -- | What a ray sees.
 data Seen = Seen
-  { seenColour :: !Colour,
+  { seenColour :: {-# UNPACK #-} !Colour,
     -- | How many rays were cast for it: primary, reflected, refracted and shadow rays.
     seenRays :: {-# UNPACK #-} !Int,
     -- | How many times one of them was tried on a shape.
@@ -78,114 +77,116 @@ unlit s far r = case closest (stageWorld s) r far of
   where
     colour t i f
       | hasPictures f = maybe black (\surface -> diffuseOf (coloursAt surface r t)) (surfaceAt (stageWorld s) i)
-      | Layer c _ <- finishDiffuse f = c
+      | otherwise = diffuseOf (finishColours f)
 
 -- | With light: what the ray sees, up to the stage's depth, no farther than that from the start of each ray.
+--
+-- See Note [Rays as a stack] and Note [Numbers that travel].
 look :: Stage -> Terms -> Double -> Ray -> Seen
-look s terms far !r
-  | stageDepth s == 1 = lookOnce s terms far r
-  | otherwise = follow s terms far (Pending r 1 1 1 1 (mediumAt s Nothing (origin r)) `Then` Done)
-
--- | One ray, no bounce.
-lookOnce :: Stage -> Terms -> Double -> Ray -> Seen
-lookOnce s terms far !r = case closest (stageWorld s) r far of
-  Closest t i tests -> case surfaceAt (stageWorld s) i of
-    Nothing -> Seen black 1 tests False
-    Just surface@(Surface shape _) -> case lighting s terms (coloursAt surface r t) (packed (position r t)) (packedUnit (shadingNormal r (normalAt shape r t))) (packed (direction r)) of
-      Lit red' green' blue' n m -> Seen (Colour red' green' blue' 1) (n + 1) (m + tests) False
-
--- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of where it travels.
-data Pending = Pending !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
-
-data Stack = Done | Then !Pending !Stack
-
--- | Follows all rays of a stack, the top one first, and adds up what they see by its weight.
-follow :: Stage -> Terms -> Double -> Stack -> Seen
-follow s terms far = go 0 0 0 black
+look s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1 1 1 (mediumAt (stageWorld s) Nothing (origin primary))) Done
   where
-    go :: Int -> Int -> Int -> Colour -> Stack -> Seen
-    go !_ !rays !tests !total Done = Seen total rays tests False
-    go !followed !rays !tests !total (Pending r depth wr wg wb index `Then` rest)
-      | followed >= mostRays = Seen total rays tests True
+    follow tally@(Tally followed shadows tests red' green' blue') pending@(Pending r depth wr wg wb index) rest
+      | followed >= mostRays = told True tally
       | otherwise = case closest (stageWorld s) r far of
         Closest t i tried -> case surfaceAt (stageWorld s) i of
-          Nothing -> go (followed + 1) (rays + 1) (tests + tried) total rest
-          Just surface@(Surface shape _) ->
-            let !at = packed (position r t)
-                !outward = packedUnit (normalAt shape r t)
-                !n = packedUnit (shadingNormal r (unpackedUnit outward))
-             in case lighting s terms (coloursAt surface r t) at n (packed (direction r)) of
-                  Lit red' green' blue' shadows m ->
-                    let !total' = total `plus` Colour (wr * red') (wg * green') (wb * blue') 1
-                        !bounces = if depth < stageDepth s then branches surface r (unpacked at) (unpackedUnit outward) (unpackedUnit n) i depth wr wg wb index rest else rest
-                     in go (followed + 1) (rays + 1 + shadows) (tests + tried + m) total' bounces
+          Nothing -> next (Tally (followed + 1) shadows (tests + tried) red' green' blue') rest
+          Just surface@(Surface shape f) ->
+            let !at = position r t
+                !outward = normalAt shape r t
+                !n = shadingNormal r outward
+             in case lighting s terms (coloursAt surface r t) (packed at) (packedUnit n) (packed (direction r)) of
+                  Lit r' g' b' m tried' ->
+                    let !tally' = Tally (followed + 1) (shadows + m) (tests + tried + tried') (red' + wr * r') (green' + wg * g') (blue' + wb * b')
+                        !deeper = depth < stageDepth s
+                        !kr = finishMirror f
+                        !below
+                          | deeper && isTransparent f && isClosed shape = through (stageWorld s) f i pending (packed at) (packedUnit outward) (packedUnit n) rest
+                          | otherwise = rest
+                     in -- The reflected ray is followed first.
+                        if deeper && kr /= 0
+                          then follow tally' (Pending (ray at (reflected (direction r) n)) (depth + 1) (kr * wr) (kr * wg) (kr * wb) index) below
+                          else next tally' below
+    next !tally Done = told False tally
+    next !tally (pending `Then` rest) = follow tally pending rest
+    told cut (Tally followed shadows tests red' green' blue') = Seen (rgb red' green' blue') (followed + shadows) tests cut
 
-    -- The reflected ray goes on top, so that it is followed first.
-    branches (Surface shape f) !r p outward n !i !depth !wr !wg !wb !index rest
-      | kr == 0 && not (isTransparent f) = rest
-      | otherwise = mirrored (through rest)
-      where
-        !kr = finishMirror f
-        v = direction r
-        mirrored stack
-          | kr == 0 = stack
-          | otherwise = Pending (ray p (reflected v n)) (depth + 1) (kr * wr) (kr * wg) (kr * wb) index `Then` stack
-        through stack
-          | not (isTransparent f) || not (isClosed shape) = stack
-          | dot v (vector outward) > 0 =
-            let kt = finishTransparency f
-             in onwards stack (mediumAt s (Just i) p) (kt * wr) (kt * wg) (kt * wb)
-          | otherwise =
-            let Colour tr tg tb _ = finishTint f
-             in onwards stack (finishIndex f) (capped (tr * wr)) (capped (tg * wg)) (capped (tb * wb))
-          where
-            onwards below' beyond r' g' b' = case refracted v n index beyond of
-              Nothing -> below'
-              Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` below'
+-- | What is known so far: how many rays were followed, how many shadow rays and how many tests there were, and the red, green and blue that was seen.
+data Tally = Tally {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+
+-- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of where it travels.
+data Pending = Pending {-# UNPACK #-} !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+
+-- | The rays that remain, the next one first.
+data Remaining = Done | Then {-# UNPACK #-} !Pending !Remaining
+
+-- | The refracted ray, if there is one, before those that remain: where a ray meets a surface with this finish, of the shape with this number. The normals there are the outward one and the one that is turned against the ray.
+through :: World -> Finish Texture -> Int -> Pending -> Packed -> Packed -> Packed -> Remaining -> Remaining
+through w f !i (Pending r depth wr wg wb index) !at !outward !normal !rest
+  | dot v (unpacked outward) > 0 =
+    let kt = finishTransparency f
+     in onwards (mediumAt w (Just i) p) (kt * wr) (kt * wg) (kt * wb)
+  | otherwise =
+    let Colour tr tg tb _ = finishTint f
+     in onwards (finishIndex f) (capped (tr * wr)) (capped (tg * wg)) (capped (tb * wb))
+  where
+    v = direction r
+    p = unpacked at
+    onwards beyond r' g' b' = case refracted v (unpackedUnit normal) index beyond of
+      Nothing -> rest
+      Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` rest
+{-# NOINLINE through #-}
 
 -- | An amount of red, green and blue light, how many shadow rays it took, and how many times one was tried on a shape.
 data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int {-# UNPACK #-} !Int
 
 -- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the ray, seen in a direction; the sum over all lights, in their order.
+--
+-- What the algorithm leaves out is black. Which highlight it has is asked once, and not for each light.
 lighting :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Lit
-lighting s terms !colours !p !n !v = go (0 :: Int) 0 0 0 0 0
+lighting s terms !colours !p !n !v = case termHighlight terms of
+  NoHighlight -> summed (\_ _ -> black)
+  BlinnHighlight -> summed (\light d -> blinn light (specularOf colours) (unpackedUnit n) d (unpacked v) (shininessOf colours))
+  PhongHighlight -> summed (\light d -> phong light (specularOf colours) (unpackedUnit n) d (unpacked v) (shininessOf colours))
   where
     !sources = stageSources s
-    go !k !red' !green' !blue' !rays !tests
-      -- One light may be infinitely bright by now, but none is NaN: its factors are finite.
-      | k >= Vector.length sources = Lit (capped red') (capped green') (capped blue') rays tests
-      | otherwise = case illuminated s terms colours p n v (Vector.unsafeIndex sources k) of
-        Lit r' g' b' m tried -> go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m) (tests + tried)
+    !ambient' = if termAmbient terms then ambientOf colours else black
+    !diffuse' = if termDiffuse terms then diffuseOf colours else black
+    summed highlight = go (0 :: Int) 0 0 0 0 0
+      where
+        go !k !red' !green' !blue' !rays !tests
+          -- One light may be infinitely bright by now, but none is NaN: its factors are finite.
+          | k >= Vector.length sources = Lit (capped red') (capped green') (capped blue') rays tests
+          | otherwise = illuminated (stageWorld s) ambient' diffuse' highlight p n (Vector.unsafeIndex sources k) $ \(Colour r' g' b' _) m tried ->
+            go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m) (tests + tried)
+    {-# INLINE summed #-}
 
--- | The light of one source at a point with normal n, seen in direction v.
-illuminated :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Source -> Lit
-illuminated s terms !colours !at !normal !view source = case source of
-  FromEverywhere light
-    | termAmbient terms -> litBy (ambient light (ambientOf colours)) 0 0
-    | otherwise -> Lit 0 0 0 0 0
-  FromFar light d ->
-    arriving (unpacked d) infinity $ \filter' -> surfaceTerms terms colours n v (unpacked d) (throughFilter light filter')
-  FromPoint light place amplification attenuators ->
-    from place amplification attenuators $ \d factor filter' -> scaled factor (surfaceTerms terms colours n v d (throughFilter light filter'))
+-- | The light of one source at a point with normal n of a surface with this ambient and this diffuse colour, and this highlight of a light that travels along a direction. It is handed on with how many rays and tests it took:
+-- whatever is done with it is done last, so that GHC makes jumps of all that happens here.
+illuminated :: World -> Colour -> Colour -> (Colour -> Vector -> Colour) -> Packed -> Packed -> Source -> (Colour -> Int -> Int -> a) -> a
+illuminated w !ambient' !diffuse' highlight !at !normal source give = case source of
+  FromEverywhere light -> give (ambient light ambient') 0 0
+  FromFar light d -> shining light 1 (unpacked d) farthest
+  FromPoint light place amplification attenuators -> from place amplification attenuators (shining light)
   FromWaves light place amplification attenuators wave sources ->
-    from place amplification attenuators $ \_ factor filter' ->
-      if dark (throughFilter light filter') then black else scaled (factor * intensity wave sources p) light
+    from place amplification attenuators $ \factor d distance' ->
+      arriving d distance' $ \filter' -> if dark (filtered light filter') then black else scaled (factor * intensity wave sources p) light
   where
     p = unpacked at
     n = unpackedUnit normal
-    v = unpacked view
+    -- A light's colour, so many times as strong, along d from a distance: Lambert's term and the highlight.
+    shining light !factor d distance' = arriving d distance' $ \filter' ->
+      let light' = filtered light filter'
+       in if dark light' then black else scaled factor (lambert light' diffuse' n d `plus` highlight light' d)
     -- What arrives along d from a distance, unless the surface is turned away or something stands between.
     arriving d distance' shine
-      | negate (dot (vector n) d) <= 0 = Lit 0 0 0 0 0
-      | otherwise = case passage (stageWorld s) (ray p (negate d)) distance' of
-        Passage light tests -> case light of
-          Blocked -> Lit 0 0 0 1 tests
-          open -> litBy (shine open) 1 tests
+      | negate (dot (vector n) d) <= 0 = give black 0 0
+      | otherwise = case passage w (ray p (negate d)) distance' of
+        Passage red' green' blue' tests -> give (shine (rgb red' green' blue')) 1 tests
     {-# INLINE arriving #-}
     -- From a place, with attenuation; nothing from the very place itself, or where the attenuation divides by zero.
     from place amplification attenuators shine
-      | distance' == 0 || denominator == 0 = Lit 0 0 0 0 0
-      | otherwise = arriving d distance' (shine d (capped (amplification / denominator)))
+      | distance' == 0 || denominator == 0 = give black 0 0
+      | otherwise = shine (capped (amplification / denominator)) d distance'
       where
         between = p - unpacked place
         distance' = modulus between
@@ -193,84 +194,58 @@ illuminated s terms !colours !at !normal !view source = case source of
         V3 constant linear quadratic = unpacked attenuators
         denominator = constant + linear * distance' + quadratic * distance' * distance'
     {-# INLINE from #-}
+{-# INLINE illuminated #-}
 
-litBy :: Colour -> Int -> Int -> Lit
-litBy (Colour r g b _) = Lit r g b
-{-# INLINE litBy #-}
-
-infinity :: Double
-infinity = 1 / 0
-
--- | Lambert's term and the highlight.
-{-# INLINE surfaceTerms #-}
-surfaceTerms :: Terms -> Colours -> Unit -> Vector -> Vector -> Colour -> Colour
-surfaceTerms terms colours n v d light
-  | dark light = black
-  | otherwise = diffuse' `plus` highlight
-  where
-    diffuse'
-      | termDiffuse terms = lambert light (diffuseOf colours) n d
-      | otherwise = black
-    highlight = case termHighlight terms of
-      NoHighlight -> black
-      BlinnHighlight -> blinn light (specularOf colours) n d v (shininessOf colours)
-      PhongHighlight -> phong light (specularOf colours) n d v (shininessOf colours)
+-- | No ray meets anything beyond: the largest number.
+farthest :: Double
+farthest = 1.7976931348623157e308
 
 -- | Whether a light has been filtered away.
 dark :: Colour -> Bool
 dark (Colour r g b _) = r < smallestLength && g < smallestLength && b < smallestLength
 
--- | What stands between a point and a light.
-data Way
-  = -- | Something that lets nothing through.
-    Blocked
-  | -- | Nothing.
-    Clear
-  | -- | Transparent shapes: the product of their tints.
-    Tinted {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+-- | How much of red, green and blue light comes past what stands in its way, and how many times the ray was tried on a shape to know it: 0 0 0 if anything lets nothing through, 1 1 1 if nothing is there, and else the product of the
+-- tints.
+data Passage = Passage {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int
   deriving stock (Eq, Show)
 
--- | What stands there, and how many times the ray was tried on a shape to know it.
-data Passage = Passage !Way {-# UNPACK #-} !Int
-  deriving stock (Eq, Show)
-
--- | What a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
+-- | What comes past all that a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
 passage :: World -> Ray -> Double -> Passage
 passage w !r !bound = case obstacles w r bound of
-  Obstacles opaque through tests
-    | opaque -> Passage Blocked tests
-    | null through -> Passage Clear tests
-    | otherwise -> Passage (foldl' tinted (Tinted 1 1 1) (sortOn fst through)) tests
+  Obstacles opaque transparent tests
+    | opaque -> Passage 0 0 0 tests
+    | null transparent -> Passage 1 1 1 tests
+    | otherwise -> foldl' tinted (Passage 1 1 1 tests) (map snd (sortOn fst transparent))
   where
-    tinted (Tinted r' g' b') (_, f) = let Colour x y z _ = finishTint f in Tinted (capped (r' * x)) (capped (g' * y)) (capped (b' * z))
-    tinted other _ = other
-
-throughFilter :: Colour -> Way -> Colour
-throughFilter light way = case way of
-  Blocked -> black
-  Clear -> light
-  Tinted r g b -> filtered light (Colour r g b 1)
+    tinted (Passage r' g' b' tests) f = let Colour x y z _ = finishTint f in Passage (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) tests
 
 -- | The refractive index at a point, a shape left out: 1 outside all closed shapes, that of the material inside one, the mean inside several.
 -- A point on a surface is not inside.
-mediumAt :: Stage -> Maybe Int -> Point -> Double
-mediumAt s leftOut p
-  | not (worldHasMedia (stageWorld s)) = 1
-  | otherwise = case map finishIndex (surroundings (stageWorld s) leftOut p) of
-    [] -> 1
-    indices -> sum indices / fromIntegral (length indices)
+mediumAt :: World -> Maybe Int -> Point -> Double
+mediumAt w leftOut p
+  | worldHasMedia w = mediumAmong w leftOut p
+  | otherwise = 1
+{-# INLINE mediumAt #-}
 
--- | The colours of a surface at one of its points.
-data Colours = Colours {ambientOf :: !Colour, diffuseOf :: !Colour, specularOf :: !Colour, shininessOf :: {-# UNPACK #-} !Double}
+mediumAmong :: World -> Maybe Int -> Point -> Double
+mediumAmong w leftOut p = case map finishIndex (surroundings w leftOut p) of
+  [] -> 1
+  indices -> sum indices / fromIntegral (length indices)
+{-# NOINLINE mediumAmong #-}
 
 -- | The colours of a surface where a ray meets it, at a parameter.
 coloursAt :: Surface -> Ray -> Double -> Colours
-coloursAt (Surface shape f) r t = case f of
-  Finish {finishAmbient = Layer a Nothing, finishDiffuse = Layer d Nothing, finishSpecular = Layer h Nothing} -> Colours a d h (finishShininess f)
-  _ -> Colours (at (finishAmbient f)) (at (finishDiffuse f)) (at (finishSpecular f)) (finishShininess f)
+coloursAt (Surface shape f) r t = case finishPictures f of
+  NoPictures -> finishColours f
+  Pictures a d s -> pictured (finishColours f) a d s (textureAt shape r t)
+{-# INLINE coloursAt #-}
+
+-- | Colours with those of pictures at some texture coordinates.
+pictured :: Colours -> Maybe Texture -> Maybe Texture -> Maybe Texture -> V2 Double -> Colours
+pictured (Colours ambient' diffuse' specular' shininess) a d s uv = Colours (at ambient' a) (at diffuse' d) (at specular' s) shininess
   where
-    uv = textureAt shape r t
-    at (Layer plain picture) = maybe plain (`texel` uv) picture
+    at plain = maybe plain (`texel` uv)
+{-# NOINLINE pictured #-}
 
 -- Note [Rays as a stack]
 -- ~~~~~~~~~~~~~~~~~~~~~~
@@ -278,3 +253,12 @@ coloursAt (Surface shape f) r t = case f of
 -- way. The loop keeps the rays that remain on a stack, with their weights, and adds to one total: it takes no Haskell stack however deep the
 -- mirrors are, and it can count. Depth first, reflection before refraction, so that it is known which rays are the first mostRays.
 -- The sum is the same as the recursive one up to rounding in binary64, which disappears in the byte.
+
+-- Note [Numbers that travel]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- A ray, a point, a normal and the colours of a surface are some thirty numbers, which go from one function to the next a hundred million times for a picture. GHC hands a record over as its numbers, without making it, if the function
+-- surely looks into it, and if that makes no more arguments than -fmax-worker-args says. It says 10, which is less than a ray and a bound; here it says 40. In the same way what a function makes is handed back as numbers: Seen, Lit and
+-- Passage are never in memory, and a Ray only where it waits for its turn.
+--
+-- Three things follow for what is here. Records are unpacked into each other down to the numbers. What is not to be taken apart is no record: a 'World' has two constructors, and stays one pointer. And whatever is looked into is looked
+-- into early, or once: before GHC 9.0 looks at a value behind a pointer, it saves all numbers that it has at hand, in case the value must be computed first.

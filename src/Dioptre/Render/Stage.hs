@@ -41,7 +41,7 @@ import Linear.V3 (V3 (..))
 -- | Everything that the colour of a ray depends on.
 data Stage = Stage
   { stageWorld :: !World,
-    stageSources :: !(Vector Source),
+    stageSources :: {-# UNPACK #-} !(Vector Source),
     -- | 'Nothing' for no light at all.
     stageTerms :: !(Maybe Terms),
     -- | How deep reflected and refracted rays go; 1 for none.
@@ -61,13 +61,13 @@ stage assets library scene =
 -- | A light, ready.
 data Source
   = -- | Colour.
-    FromEverywhere !Colour
+    FromEverywhere {-# UNPACK #-} !Colour
   | -- | Colour, and the unit direction in which it travels.
-    FromFar !Colour {-# UNPACK #-} !Packed
+    FromFar {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed
   | -- | Colour, position, amplification, and the three attenuators.
-    FromPoint !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed
+    FromPoint {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed
   | -- | The same for waves, whose colour is the wavelength's, with the sources.
-    FromWaves !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed !Wave !(Unboxed.Vector (Double, Double, Double))
+    FromWaves {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed !Wave !(Unboxed.Vector (Double, Double, Double))
 
 source :: Assets -> Light -> Maybe Source
 source assets light = case light of

@@ -22,7 +22,7 @@ import Dioptre.Geometry.Prepared (Prepared, placedIn)
 import Dioptre.Geometry.PreparedMesh (preparedMesh, preparedTriangle)
 import Dioptre.Light.Finish (Finish)
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..))
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World, root)
 
 -- | A shape, where it is in the world, and its finish.
 data Surface = Surface !Prepared !(Finish Texture)
@@ -31,11 +31,11 @@ data Surface = Surface !Prepared !(Finish Texture)
 --
 -- Cost: constant for the scene's own primitives; for shapes of models, like the logarithm of the number of instances, and a prepared triangle is made.
 surfaceAt :: World -> Int -> Maybe Surface
-surfaceAt w = surfaceIn (root w)
-{-# INLINE surfaceAt #-}
+surfaceAt w !number = surfaceIn (root w) number
+{-# NOINLINE surfaceAt #-}
 
 surfaceIn :: Group -> Int -> Maybe Surface
-surfaceIn g !number
+surfaceIn !g !number
   | number < 0 = Nothing
   | number < Vector.length shapes = Just (Surface (Vector.unsafeIndex shapes number) (Vector.unsafeIndex (groupFinishes g) number))
   | otherwise = surfaceInInstance g number

@@ -23,7 +23,7 @@ import Dioptre.Light.Finish (Finish)
 import Dioptre.Math.Transform (inversePosition)
 import Dioptre.Math.Vector (Point)
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..))
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World, root)
 import Linear.V3 (V3 (..))
 
 -- | The finishes of the closed shapes that a point is inside of, in the order of their numbers; a shape left out, by its number.

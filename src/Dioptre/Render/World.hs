@@ -25,6 +25,8 @@ module Dioptre.Render.World
   ( -- * Worlds
     World (..),
     world,
+    root,
+    worldExtent,
     worldSize,
     worldOwn,
     worldHasMedia,
@@ -66,15 +68,22 @@ import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Primitive (Primitive (..))
 
 -- | All that rays can meet.
-data World = World
-  { -- | Everything: the scene's own shapes, and its instances of models.
-    root :: !Group,
-    -- | Its shapes, where all are tried, one after the other: a few, or such as have no end; none where there is an index. The loop that tries them is copied to where it is used, so that nothing of it is ever in memory; with an
-    -- index there is more to do than to pass a ray on.
-    worldHandful :: {-# UNPACK #-} !Handful,
-    -- | How large it is.
-    worldExtent :: Extent
-  }
+data World
+  = -- | A few shapes, or such as have no end: all are tried, one after the other.
+    Few {-# UNPACK #-} !Handful !Group Extent
+  | -- | More, and instances of models: there is an index.
+    Many !Group Extent
+
+-- | Everything: the scene's own shapes, and its instances of models.
+root :: World -> Group
+root (Few _ g _) = g
+root (Many g _) = g
+{-# INLINE root #-}
+
+-- | How large it is.
+worldExtent :: World -> Extent
+worldExtent (Few _ _ e) = e
+worldExtent (Many _ e) = e
 
 -- | How many shapes there are, those of models counted once for each instance.
 worldSize :: World -> Int
@@ -108,9 +117,9 @@ data Extent = Extent
 -- | Shapes and instances in one frame.
 data Group = Group
   { -- | The shapes that stand in it by themselves.
-    groupShapes :: !(Arranged Prepared),
+    groupShapes :: {-# UNPACK #-} !(Arranged Prepared),
     -- | The finish of each shape, by its number.
-    groupFinishes :: !(Vector (Finish Texture)),
+    groupFinishes :: {-# UNPACK #-} !(Vector (Finish Texture)),
     -- | The models in it; numbers count them, not their shapes.
     groupInstances :: !(Arranged Placed),
     -- | How many numbers the group takes: its shapes', and those in its instances.
@@ -126,7 +135,7 @@ data Group = Group
 -- | Things with boxes around them.
 data Arranged a = Arranged
   { -- | By number.
-    numbered :: !(Vector a),
+    numbered :: {-# UNPACK #-} !(Vector a),
     -- | By place in the hierarchy's order.
     things :: !(Vector a),
     -- | The boxes in boxes, and the order of the places.
@@ -150,12 +159,12 @@ data Body
 
 -- | The world of a scene with its pictures and models.
 world :: Assets -> Library Texture -> Scene -> World
-world assets library scene = World top withoutIndex (extentOf top (Vector.toList bodies))
+world assets library scene
+  | hierarchyNodes (boxes (groupShapes top)) == 0 && Vector.null (things (groupInstances top)) = Few (handful (numbered (groupShapes top))) top extent
+  | otherwise = Many top extent
   where
     top = group (mapMaybe thing (scenePrimitives scene)) (map instanced (libraryInstances library))
-    withoutIndex
-      | hierarchyNodes (boxes (groupShapes top)) == 0 && Vector.null (things (groupInstances top)) = handful (numbered (groupShapes top))
-      | otherwise = handful Vector.empty
+    extent = extentOf top (Vector.toList bodies)
     thing p = shapeWith (finishOf (primitiveMaterial p)) (primitiveShape p)
     -- Every model once: an instance refers to it. A model is made of models with lower numbers.
     bodies = Vector.map (modelBody instanced) (libraryModels library)

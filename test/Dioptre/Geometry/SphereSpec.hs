@@ -35,5 +35,6 @@ spec = do
       prop "where nothing is rounded, nothing is left to rounding" $ forAll (crispAt SphereSort) isExactWhereItCanBe
       prop "ray and shape moved together meet at the same parameters" $ forAll (crispAt SphereSort) movedTogether
       prop "a line meets it in an interval: inside between, outside beyond" $ forAllShrink (aimedAt SphereSort) shrink meetsInAnInterval
+      prop "where it is clearly missed, no parameter is found" $ forAllShrink (aimedAt SphereSort) shrink clearlyMissedIsMissed
       prop "it contains the points that are inside" $ forAllShrink (aimedAt SphereSort) shrink containsItsInside
       prop "it does not contain its surface" $ forAll (crispAt SphereSort) doesNotContainItsSurface

@@ -18,11 +18,15 @@ spec = do
     it "has the colours of its coefficients, one by one" $
       finish gold
         `shouldBe` Finish
-          { finishAmbient = plain (Colour 0.25 0.125 0.0625 0.75),
-            finishDiffuse = plain (Colour 0.5 0.25 0.125 0.75),
-            -- 1/4 (3/4 + 1/4 colour), as opaque as the sum
-            finishSpecular = plain (Colour 0.25 0.21875 0.203125 1),
-            finishShininess = 7,
+          { finishColours =
+              Colours
+                { ambientOf = Colour 0.25 0.125 0.0625 0.75,
+                  diffuseOf = Colour 0.5 0.25 0.125 0.75,
+                  -- 1/4 (3/4 + 1/4 colour), as opaque as the sum
+                  specularOf = Colour 0.25 0.21875 0.203125 1,
+                  shininessOf = 7
+                },
+            finishPictures = NoPictures,
             finishMirror = 0.125,
             finishTransparency = 0.5,
             finishTint = Colour 0.5 0.25 0.125 0.75,
@@ -32,21 +36,34 @@ spec = do
       let opaque = finish gold {materialKt = 0}
       (finishIndex opaque, finishTransparency opaque, channels (finishTint opaque)) `shouldBe` (1, 0, [0, 0, 0])
     it "names the pictures, each at its colour" $
-      pictures (finish (painted "a.png" "b.png" "c.png")) `shouldBe` [Just "a.png", Just "b.png", Just "c.png"]
+      picturesOf (finish (painted "a.png" "b.png" "c.png")) `shouldBe` [Just "a.png", Just "b.png", Just "c.png"]
     it "knows none for the name none, nor for no name" $
-      pictures (finish (painted "none" "" "c.png")) `shouldBe` [Nothing, Nothing, Just "c.png"]
+      picturesOf (finish (painted "none" "" "c.png")) `shouldBe` [Nothing, Nothing, Just "c.png"]
     it "has the colours beside the pictures" $
       (colours (finish (painted "a.png" "b.png" "c.png")), finishTint (finish (painted "a.png" "b.png" "c.png"))) `shouldBe` (colours (finish gold), finishTint (finish gold))
 
   describe "withPictures" $ do
     let f = finish (painted "a.png" "lost.png" "ccc.png")
         look name = if name == "lost.png" then Nothing else Just (Text.length name)
-    it "puts in what is found, and leaves the colour where nothing is" $ pictures (withPictures look f) `shouldBe` [Just 5, Nothing, Just 7]
+    it "puts in what is found, and leaves the colour where nothing is" $ picturesOf (withPictures look f) `shouldBe` [Just 5, Nothing, Just 7]
     it "leaves everything else alone" $ do
       colours (withPictures look f) `shouldBe` colours f
-      (finishShininess (withPictures look f), finishMirror (withPictures look f), finishTransparency (withPictures look f), finishTint (withPictures look f), finishIndex (withPictures look f))
+      (shininessOf (finishColours (withPictures look f)), finishMirror (withPictures look f), finishTransparency (withPictures look f), finishTint (withPictures look f), finishIndex (withPictures look f))
         `shouldBe` (7, 0.125, 0.5, Colour 0.5 0.25 0.125 0.75, 1.5)
     it "changes nothing if every picture stays what it is" $ withPictures Just f `shouldBe` f
+
+  describe "layers" $ do
+    let f = finish (painted "a.png" "" "c.png") :: Finish Text
+    it "are a colour and its picture" $
+      [finishAmbient f, finishDiffuse f, finishSpecular f]
+        `shouldBe` [Layer (Colour 0.25 0.125 0.0625 0.75) (Just "a.png"), Layer (Colour 0.5 0.25 0.125 0.75) Nothing, Layer (Colour 0.25 0.21875 0.203125 1) (Just "c.png")]
+    it "are changed one at a time" $ do
+      let new = Layer white (Just "new.png")
+      layers (withAmbient new f) `shouldBe` [new, finishDiffuse f, finishSpecular f]
+      layers (withDiffuse new f) `shouldBe` [finishAmbient f, new, finishSpecular f]
+      layers (withSpecular new f) `shouldBe` [finishAmbient f, finishDiffuse f, new]
+    it "leave no pictures where the last one is taken away" $
+      finishPictures (withSpecular (Layer white Nothing) (withAmbient (Layer white Nothing) f)) `shouldBe` NoPictures
 
   describe "isTransparent" $
     it "is so where kt is not zero, however small" $ map (\kt -> isTransparent (finish gold {materialKt = kt})) [0, 1e-300, 0.5, 1] `shouldBe` [False, True, True, True]
@@ -72,7 +89,7 @@ spec = do
         }
     painted :: Text -> Text -> Text -> Material
     painted a b c = gold {materialTextures = Just (Textures a b c)}
-    plain c = Layer c Nothing
+    layers f = [finishAmbient f, finishDiffuse f, finishSpecular f]
     channels (Colour r g b _) = [r, g, b]
-    pictures f = [p | Layer _ p <- [finishAmbient f, finishDiffuse f, finishSpecular f]]
+    picturesOf f = [p | Layer _ p <- [finishAmbient f, finishDiffuse f, finishSpecular f]]
     colours f = [c | Layer c _ <- [finishAmbient f, finishDiffuse f, finishSpecular f]]

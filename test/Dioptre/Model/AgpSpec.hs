@@ -13,7 +13,7 @@ import qualified Data.Text.Encoding as Text
 import Dioptre.Geometry.Round (axisEnd, axisStart, roundAxis, roundRadius)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Light.Colour (Colour (..), rgb)
-import Dioptre.Light.Finish (Finish (..), Layer (..))
+import Dioptre.Light.Finish
 import Dioptre.Math.Vector (Point)
 import Dioptre.Model.Agp
 import Dioptre.Model.Content (Content (..), Part (..))
@@ -45,7 +45,7 @@ spec = describe "an AGP file" $ do
         close (finishAmbient f) (rgb 0.16 0.16 0.04)
         close (finishDiffuse f) (rgb 0.64 0.64 0.16)
         close (finishSpecular f) (rgb 0.4 0.4 0.1)
-        (finishShininess f, finishMirror f, finishTransparency f, finishIndex f) `shouldBe` (20, 0, 0, 1)
+        (shininessOf (finishColours f), finishMirror f, finishTransparency f, finishIndex f) `shouldBe` (20, 0, 0, 1)
       other -> length other `shouldBe` 1
   prop "gives back the points that were written to it" $
     forAll (listOf (listOf1 somePoint)) $ \curves ->

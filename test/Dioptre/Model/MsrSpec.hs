@@ -12,7 +12,7 @@ import qualified Data.Text as Text
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereRadius)
 import Dioptre.Light.Colour (rgb)
-import Dioptre.Light.Finish (Finish (..), Layer (..), finish)
+import Dioptre.Light.Finish
 import Dioptre.Light.Material (Material (..))
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Msr

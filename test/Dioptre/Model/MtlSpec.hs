@@ -26,8 +26,8 @@ spec = do
       let (mtl, faults) = library ["newmtl gold", "Ka 0.5 0.25 0", "Kd 1 2 3", "Ks 0.75", "Ns 1000", "d 0.5", "Tr 0.5", "illum 7", "Ni 1.5"]
       faults `shouldBe` []
       Map.toList (mtlMaterials mtl)
-        `shouldBe` [("gold", Finish (plain (rgb 0.5 0.25 0)) (plain (rgb 1 2 3)) (plain (rgb 0.75 0.75 0.75)) 1000 0 0 black 1)]
-    it "has singles" $ fmap finishShininess (material "a" ["newmtl a", "Ns 0.1"]) `shouldBe` Just (13421773 / 2 ** 27)
+        `shouldBe` [("gold", Finish (Colours (rgb 0.5 0.25 0) (rgb 1 2 3) (rgb 0.75 0.75 0.75) 1000) NoPictures 0 0 black 1)]
+    it "has singles" $ fmap shininess (material "a" ["newmtl a", "Ns 0.1"]) `shouldBe` Just (13421773 / 2 ** 27)
     it "need not say everything" $ material "a" ["newmtl a"] `shouldBe` Just unsaid
     it "has names with blanks, and pictures too" $ do
       let m = material "old gold" ["newmtl  old gold ", "map_Ka a b.png", "map_Kd ../x/y z.tga\t", "map_Ks C:\\pictures\\s.png"]
@@ -51,7 +51,7 @@ spec = do
   describe "a fault" $ do
     it "is told, and the value before it stays" $ do
       let (mtl, faults) = library ["newmtl a", "Kd 1 1 1", "Kd 1 -1 1", "Kd 1 1", "Kd", "Ns -1", "Ns x", "Ns", "Ka 1 1 1e39", "map_Kd", "map_Kd -s 1", "newmtl", "Kd 0 0 0"]
-      Map.toList (mtlMaterials mtl) `shouldBe` [("a", unsaid {finishDiffuse = plain (rgb 1 1 1)})]
+      Map.toList (mtlMaterials mtl) `shouldBe` [("a", withDiffuse (plain (rgb 1 1 1)) unsaid)]
       faults
         `shouldBe` [ Diagnostic (Span 3 6 8) (RefusedValue "Kd" (OutOfRange "-1") AmountsOfLight "1.0 1.0 1.0"),
                      Diagnostic (Span 4 1 3) (RefusedValue "Kd" (WrongCount 3 2 NoGuess) AmountsOfLight "1.0 1.0 1.0"),
@@ -66,7 +66,7 @@ spec = do
                    ]
     it "of a name that is taken leaves the first" $ do
       let (mtl, faults) = library ["", "newmtl a b", "Ns 1", "newmtl a b", "Ns 2"]
-      fmap finishShininess (Map.lookup "a b" (mtlMaterials mtl)) `shouldBe` Just 1
+      fmap shininess (Map.lookup "a b" (mtlMaterials mtl)) `shouldBe` Just 1
       faults `shouldBe` [Diagnostic (Span 4 8 9) (RepeatedMaterial "a b" 2)]
     it "is told twenty times" $ do
       let (_, faults) = library ("newmtl a" : replicate 50 "Ns x")
@@ -76,16 +76,18 @@ spec = do
   describe "the materials of a model" $ do
     it "are those of the first library that has them" $ do
       let (finishes, missing) = finishesOf [fst (library ["newmtl a", "Ns 1"]), fst (library ["newmtl a", "Ns 2", "newmtl b", "Ns 3"])] ["b", "a", "c"]
-      map finishShininess finishes `shouldBe` [3, 1, 5]
+      map shininess finishes `shouldBe` [3, 1, 5]
       missing `shouldBe` ["c"]
       drop 2 finishes `shouldBe` [unknown]
     it "have a default" $ do
       finishesOf [] ["default"] `shouldBe` ([unsaid :: Finish Text], [])
-      finishesOf [fst (library ["Ns 7", "newmtl a"])] ["default"] `shouldBe` ([unsaid {finishShininess = 7}], [])
-      finishesOf [fst (library ["Ns 7", "newmtl default", "Ns 8"])] ["default"] `shouldBe` ([unsaid {finishShininess = 8}], [])
+      finishesOf [fst (library ["Ns 7", "newmtl a"])] ["default"] `shouldBe` ([shiny 7], [])
+      finishesOf [fst (library ["Ns 7", "newmtl default", "Ns 8"])] ["default"] `shouldBe` ([shiny 8], [])
   where
     library = readMtl . fromText "a.mtl" . Text.unlines
     material :: Text -> [Text] -> Maybe (Finish Named)
     material name = Map.lookup name . mtlMaterials . fst . library
     plain c = Layer c Nothing
+    shininess = shininessOf . finishColours
+    shiny k = unsaid {finishColours = (finishColours unsaid) {shininessOf = k}}
     pictureOf (Layer _ picture) = namedText <$> picture

@@ -12,7 +12,7 @@ import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Unboxed as Unboxed
 import Data.Word (Word8)
 import Dioptre.Light.Colour
-import Dioptre.Light.Finish
+import Dioptre.Light.Finish hiding (pictures)
 import Dioptre.Light.Light
 import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector
@@ -48,7 +48,7 @@ spec = do
       map (plain . finishDiffuse) finishes `shouldBe` [rgb 0.5 0.5 0.5, Colour 0.25 0.125 0 0.5, rgb 0.5 0.5 0.5]
       map (plain . finishAmbient) finishes `shouldBe` [rgb 0.125 0.125 0.125, Colour 0.75 0.375 0 0.5, rgb 0.125 0.125 0.125]
       map (plain . finishSpecular) finishes `shouldBe` [rgb 0.75 0.75 0.75, rgb 0.5 0.375 0.25, rgb 0.75 0.75 0.75]
-      map finishShininess finishes `shouldBe` [7, 150, 7]
+      map (shininessOf . finishColours) finishes `shouldBe` [7, 150, 7]
       map finishMirror finishes `shouldBe` [0.125, 0, 0.125]
       map finishTransparency finishes `shouldBe` [0, 0.5, 0]
       map finishTint finishes `shouldBe` [rgb 0 0 0, Colour 0.5 0.25 0 0.5, rgb 0 0 0]

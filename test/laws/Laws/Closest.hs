@@ -31,7 +31,7 @@ import Dioptre.Light.Material (Material (..), standard, substitute)
 import Dioptre.Model.Library (noModels)
 import Dioptre.Render.Closest
 import Dioptre.Render.Surface
-import Dioptre.Render.World
+import Dioptre.Render.World (World, world, worldOwn, worldSize)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (defaultCamera, defaultViewport)
 import Dioptre.Scene.Primitive (Primitive (..))

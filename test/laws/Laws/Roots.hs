@@ -34,12 +34,13 @@ module Laws.Roots
     hasSum,
     fallsToLinear,
     refusesNonFinite,
+    clearlyNoneIsNone,
   )
 where
 
 import Data.List (partition, sort)
 import Data.Ratio (denominator, numerator)
-import Dioptre.Math.Roots (linearRoots, quadraticRoots)
+import Dioptre.Math.Roots (clearlyNone, linearRoots, quadraticRoots)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 import Test.QuickCheck
 
@@ -119,6 +120,14 @@ isScaledExactly :: Quadratic -> Property
 isScaledExactly q@(Quadratic a b c) = forAll (exactPower [a, b, c]) $ \m ->
   let scaled k = Quadratic (k * scaleFloat m a) (k * scaleFloat m b) (k * scaleFloat m c)
    in solve (scaled 1) === solve q .&&. solve (scaled (-1)) === solve q
+
+-- | Where it is clear that @a x^2 + 2 h x + c@ has no root, the exact discriminant is negative, and no root is found.
+clearlyNoneIsNone :: Quadratic -> Property
+clearlyNoneIsNone (Quadratic a h c) =
+  cover 10 clear "clear" . cover 10 (not clear) "not clear" $
+    clear ==> toRational h * toRational h < toRational a * toRational c .&&. quadraticRoots a (2 * h) c === []
+  where
+    clear = clearlyNone a h c
 
 -- | @P(-x)@ has the opposite roots, bit for bit, in the opposite order.
 isReflectedExactly :: Quadratic -> Property

@@ -72,7 +72,7 @@ import Dioptre.Math.Vector
 import Dioptre.Model.Library (noModels)
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
-import Dioptre.Render.Shade (Passage (..), Seen (..), Way (..), look, mostRays, passage, unlit)
+import Dioptre.Render.Shade (Passage (..), Seen (..), look, mostRays, passage, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Texture (Assets)
 import Dioptre.Render.World (world)
@@ -514,11 +514,10 @@ slabDisplaces = forAll ((,,) <$> choose (0, 1.2) <*> choose (0, 2 * pi) <*> oneo
 -- | What a shadow ray passes does not depend on the order of the shapes, up to roundings.
 passageHasNoOrder :: Small -> Property
 passageHasNoOrder (Small scene r) = forAll ((,) <$> shuffle (scenePrimitives scene) <*> elements [1, 3, 1 / 0]) $ \(shapes, bound) ->
-  let at these = let Passage way _ = passage (world Map.empty noModels scene {scenePrimitives = these}) r bound in way
+  let at these = passage (world Map.empty noModels scene {scenePrimitives = these}) r bound
    in counterexample (show (length shapes)) $
         case (at (scenePrimitives scene), at shapes) of
-          (Tinted a b c, Tinted a' b' c') -> within 1e-14 [a, b, c] [a', b', c']
-          (x, y) -> x === y
+          (Passage a b c _, Passage a' b' c' _) -> within 1e-14 [a, b, c] [a', b', c']
 
 colourOf :: Scene -> Ray -> [Double]
 colourOf scene = channels . shownColour . seen scene

@@ -38,6 +38,7 @@ module Laws.Shape
 
     -- * Solids
     meetsInAnInterval,
+    clearlyMissedIsMissed,
     entersAgainstTheNormal,
     containsItsInside,
     doesNotContainItsSurface,
@@ -51,7 +52,7 @@ import Dioptre.Geometry.Plane (Plane, plane, planeNormal, planeParameters, plane
 import Dioptre.Geometry.Prepared (contains, nearest, normalAt, parameters, shadingNormal)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Shape (Shape (..))
-import Dioptre.Geometry.Sphere (sphereCentre, sphereParameters, sphereRadius)
+import Dioptre.Geometry.Sphere (sphereCentre, sphereClearlyMissed, sphereParameters, sphereRadius)
 import Dioptre.Geometry.Triangle
 import Dioptre.Math.Vector (Unit, Vector, distance, dot, opposite, unit, valid, vector, (*^))
 import Laws.Aim
@@ -388,6 +389,15 @@ annulusWithoutHoleIsDisk (Aimed shape r) = case shape of
 
 -------------------------------------------------------------------------------
 -- Solids
+
+-- | A sphere that is clearly missed is met at no parameter.
+clearlyMissedIsMissed :: Aimed -> Property
+clearlyMissedIsMissed (Aimed (ASphere s) r) = cover 5 clearly "clearly" $ not clearly || null (sphereParameters c radiusSquared r)
+  where
+    c = sphereCentre s
+    radiusSquared = sphereRadius s * sphereRadius s
+    clearly = sphereClearlyMissed c radiusSquared r
+clearlyMissedIsMissed _ = property False
 
 -- | A line meets a sphere or a cube at two parameters or not at all; the points between the two are inside, and the
 -- points outside them are not, up to the bounds by which the two parameters themselves may be off.

@@ -45,13 +45,13 @@ import Dioptre.Explain.Tell (tell)
 import Dioptre.Geometry.Prepared (parameters, placedIn, prepare)
 import Dioptre.Geometry.Ray (direction, origin)
 import Dioptre.Light.Colour (Colour (..), black, plus)
+import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Light.Material (Material (..), Textures (..))
 import Dioptre.Math.Vector (dot, vector, (*^))
 import Dioptre.Model.Library (Library, noModels)
 import Dioptre.Picture (picture)
 import Dioptre.Picture.Byte (Pixel (..))
 import Dioptre.Render.Row (Row (..), Sampled (..), Work (..), colourAt, plan, row)
-import Dioptre.Render.Shade (Colours (..), Way (..))
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.World (world, worldSize)
@@ -108,7 +108,7 @@ picturedCorners p =
     ("a ray passes", or [True | r <- rays, rayCause r == ByRefraction]),
     ("total reflection", or [True | h <- hits, Bounce {bounceSequel = NotFollowed TotalReflection} <- hitBounces h]),
     ("a shadow", or [True | s <- shares, InShadow _ (Just _) <- [shareArrival s]]),
-    ("a tinted light", or [True | s <- shares, Arrives _ (Tinted {}) _ <- [shareArrival s]]),
+    ("a tinted light", or [True | s <- shares, Arrives _ _ (_ : _) <- [shareArrival s]]),
     ("a picture", any hitHasPicture hits),
     ("several samples", length (storySamples story) > 1),
     ("no light", or [True | h <- hits, Nothing <- [hitShares h]]),
@@ -336,7 +336,7 @@ sharesFollowFromTheirWays p =
       where
         n = vector (hitNormal h)
         light = if all (< 1e-10) filtered then [0, 0, 0] else filtered
-        filtered = zipWith (*) (three (shareColour s)) (case open of Tinted x y z -> [x, y, z]; _ -> [1, 1, 1])
+        filtered = zipWith (*) (three (shareColour s)) (three open)
         shine = shininessOf (hitColours h)
         highlight x
           | isNaN x || abs x < 1e-12 = property True

@@ -48,7 +48,7 @@ import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Round (axis, cap, lens, roundRadius, roundShape, torus)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Triangle (Corners (..))
-import Dioptre.Light.Finish (Finish (..), finish, withPictures)
+import Dioptre.Light.Finish (Colours (..), Finish (..), finish, withPictures)
 import Dioptre.Light.Material (Material (..), standard)
 import Dioptre.Math.Transform (Transform, identity, matrix, placement, transform, transformDirection, transformPosition)
 import Dioptre.Math.Vector
@@ -62,7 +62,7 @@ import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Surface
 import Dioptre.Render.Surroundings
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Extent (..), World (..), world, worldHasMedia, worldOwn, worldSize)
+import Dioptre.Render.World (Extent (..), World, world, worldExtent, worldHasMedia, worldOwn, worldSize)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), cameraSettings)
 import Dioptre.Scene.Primitive (Primitive (..))
@@ -159,7 +159,7 @@ worldOfMany = world mempty noModels . sceneOfMany
 
 -- | The number of a shape, of those of 'sceneOfMany', by its finish.
 numberOf :: Finish Texture -> Int
-numberOf = round . finishShininess
+numberOf = round . shininessOf . finishColours
 
 -- | What is closest is the first of all hits of all shapes, to the bit.
 closestIsAsOfAList :: Many -> Property
