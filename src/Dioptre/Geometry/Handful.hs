@@ -62,17 +62,17 @@ closestInHandful :: Handful -> Ray -> Double -> Closest
 closestInHandful h !r !bound = amongOthers 0 (-1) bound
   where
     !spheres = sizeofPrimArray (radiiSquared h)
-    !count = sizeofPrimArray (numbers h)
+    !rest = sizeofSmallArray (others h)
     -- In the order of their numbers the first of several at one parameter is kept. Places are below the number of shapes.
     amongOthers :: Int -> Int -> Double -> Closest
     amongOthers !i !number !best
-      | i >= count - spheres = amongSpheres 0 number best
+      | i >= rest = amongSpheres 0 number best
       | otherwise =
         let !t = nearest (indexSmallArray (others h) i) r best
          in if t < best then amongOthers (i + 1) (indexPrimArray (numbers h) (spheres + i)) t else amongOthers (i + 1) number best
     amongSpheres :: Int -> Int -> Double -> Closest
     amongSpheres !i !number !best
-      | i >= spheres = Closest best number count
+      | i >= spheres = Closest best number (spheres + rest)
       | sphereAt h i sphereClearlyMissed r = amongSpheres (i + 1) number best
       | otherwise =
         let !t = firstAhead (sphereAt h i sphereParametersAhead r) (slightlyBeyond best)
