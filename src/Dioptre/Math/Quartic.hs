@@ -28,7 +28,8 @@
 -- * __Number.__ There are as many roots as the polynomial with these very coefficients has, multiplicity counted, unless two of its
 --   roots, real or complex, lie closer to each other than 2^-24 of their size. Roots closer than that whose difference is within the rounding of the
 --   coefficients are given as one multiple root; a tangent ray is tangent although its coefficients were rounded.
--- * __Place.__ A root that is alone is the exact one rounded, to within 1 ulp or so; a multiple one is the zero of the derivative that it is.
+-- * __Place.__ A root that is given once is one of the two doubles beside an exact root, or that root, however near others are; a multiple one is the zero of
+--   the derivative that it is. (Where a power of x leaves degree two, the roots are those of "Dioptre.Math.Roots".)
 -- * __Residual.__ |p(x)| <= 8 eps (|a x^n| + ... + |e|), eps = 2^-53, at every root.
 -- * __The same bits everywhere.__ Only @+ - * \/@ and @sqrt@ of binary64 are used, and whole numbers where those cannot tell.
 --
@@ -137,10 +138,17 @@ data Chain
   | -- | The digits at hand do not tell, or two neighbours are in each other's way: whole numbers decide.
     Unsure
 
--- | A place before others.
+-- | A place before others; in doubt where it is 'nowhere', or where they are in doubt.
 link :: Double -> Int -> Chain -> Chain
 link _ _ Unsure = Unsure
-link x m rest = Link x m rest
+link x m rest
+  | finite x = Link x m rest
+  | otherwise = Unsure
+{-# INLINE link #-}
+
+-- | What 'root' gives where the digits at hand do not tell the last ones of a root.
+nowhere :: Double
+nowhere = 0 / 0
 
 listed :: Chain -> [Double]
 listed (Link x m rest) = replicate m x ++ listed rest
@@ -280,7 +288,7 @@ tolerance m = case m of
 -- | The roots of a polynomial from those of its derivative.
 between :: Poly -> Chain -> Chain
 between p@(Poly a b c _ d e) criticals = case criticals of
-  End -> Link (root p (-1) (negate bound) bound (negate b3 / 3)) 1 End
+  End -> link (root p (-1) (negate bound) bound (negate b3 / 3)) 1 End
   Link x m rest -> settled x m rest $ \v ->
     -- The signs at the far left: of x^4 and of x^3.
     let left = if a /= 0 then 1 else -1
@@ -297,7 +305,7 @@ between p@(Poly a b c _ d e) criticals = case criticals of
     onward :: Double -> Double -> Chain -> Chain
     onward !x !v rest = case rest of
       End
-        | v < 0 -> Link (root p (-1) x bound (x + reach x v)) 1 End
+        | v < 0 -> link (root p (-1) x bound (x + reach x v)) 1 End
         | otherwise -> End
       Link y m rest' -> settled y m rest' $ \v' ->
         if v * v' < 0
@@ -342,7 +350,7 @@ smaller x y = if x < y then x else y
 {-# INLINE smaller #-}
 
 -- | The root between two places, at whose lower one the polynomial has the given sign, and the other sign at the upper one, by Newton's method from a
--- guess, kept between them. See Note [Polishing].
+-- guess, kept between them; or 'nowhere'. See Note [Polishing].
 root :: Poly -> Double -> Double -> Double -> Double -> Double
 root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
   | low < 0 && high > 0 = if e == 0 then 0 else if e * sign > 0 then start 0 high else start low 0
@@ -351,9 +359,8 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
     start !l !h = polish 0 l h (if guess > l && guess < h then guess else 0.5 * (l + h))
     polish :: Int -> Double -> Double -> Double -> Double
     polish !n !l !h !x
-      | abs v <= doubt s = x
-      | x' == x = x
       | refined there && abs step <= enough * abs x = if x' >= l' && x' <= h' then x' else x
+      | refined there && flat && (abs v <= doubt s || x' == x) = nowhere
       | x' > l' && x' < h' && (n < 20 || even n) = polish (n + 1) l' h' x'
       | middle > l' && middle < h' = polish (n + 1) l' h' middle
       | otherwise = x
@@ -363,8 +370,13 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
         !s = size there
         !v' = slope p x
         !step = v / v'
-        -- Newton's method squares the error, in units of the distance to where the slope vanishes.
-        !enough = if abs (v' * x) > 0x1p-20 * s then 0x1p-40 else 0x1p-55
+        -- Newton's method squares the error, in units of the distance to where the slope vanishes. Where that is near, no step is the last one.
+        !rise = abs (v' * x)
+        !enough
+          | rise > 0x1p-20 * s = 0x1p-40
+          | rise > 0x1p-44 * s = 0x1p-53
+          | otherwise = -1
+        flat = enough < 0
         !x' = x - step
         !below = v * sign > 0
         !l' = if below then x else l
@@ -426,9 +438,18 @@ interval is halved. After 20 steps every second one halves the number of doubles
 steps are usual, from a guess that solves the polynomial as it looks from the critical points beside: a parabola outside of them, s^2 (3 - 2 s)
 between two.
 
-The last step is made with the compensated value, and needs no test afterwards: with d the distance from the root to where p' vanishes, a step of the relative
-length u leaves the error u^2 / d, and the rounding of p' leaves u times its relative error. If |x p'(x)| > 2^-20 s both are below 2^-55 for u = 2^-40.
-Nearer to a critical point steps are made until they are below 2^-55 themselves. The result is rounded once, so it is one of the two doubles beside the exact root.
+The last step is made with the compensated value, and needs no test afterwards. Let s be the sum of the sizes of the terms. A step of the relative length u leaves an
+error that is, relative to x, at most
+
+  * 6 u^2 s / |x p'(x)|, since p is curved: |x^2 p''(x)| <= 12 s;
+  * 2^-48 u s / |x p'(x)|, since p' is rounded: to 29 eps s / |x|;
+  * 2^-100 s / |x p'(x)|, since p is: the compensated value (Note [Roots between critical points]).
+
+If |x p'(x)| > 2^-20 s, these are below 2^-57 together for u = 2^-40. If it is above 2^-44 s, they are below 2^-55 for u = 2^-53, also if |x p'(x)| is smaller than computed, by 2^-48 s. The
+result is rounded once, by half an ulp at most; an ulp is at least 2^-53 |x|; so it is less than an ulp from the exact root.
+
+If |x p'(x)| <= 2^-44 s, three roots or more are near each other, and the value may not tell one double from the next: beside 1, roots at the distances 2^-19, 2^-18 and 2^-13 suffice. Then
+steps are made while they lead on and the value's sign is certain. Should this leave two neighbouring doubles, it is one of them. Else whole numbers decide ('nowhere', 'Unsure').
 -}
 
 {- Note [Sizes]

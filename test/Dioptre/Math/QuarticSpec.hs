@@ -48,6 +48,16 @@ spec = do
       -- The least real root of Wilkinson's quartic sibling: x^4 - 4 x^3 + 3 = (x - 1)(x^3 - 3 x^2 - 3 x - 3)
       it "solves x^4 - 4 x^3 + 3" $ take 1 (quarticRoots 1 (-4) 0 0 3) `shouldBe` [1]
 
+    describe "where all four roots, or three, are so near each other that twice the digits do not tell their places" $ do
+      -- By Sturm's theorem and bisection in fractions. The second is farther than 2^-20 of its size from the others.
+      it "finds each, beside 1" $
+        quarticRoots 1 (-4.000121854421538) 6.000365563958283 (-4.000365564651953) 1.000121855115208
+          `shouldBe` [1, 1.000001913517245, 1.0000040035423046, 1.0001159373619886]
+      it "finds 1, of h (h^3 - 2^-12 h^2 + 2^-30 h - 2^-49), h = x - 1" $
+        quarticRoots 1 (-4.000244140625) 6.000732422806323 (-4.000732423737647) 1.0002441415563244 `shouldBe` [1, 1.0002402956524212]
+      it "finds 1, of h (h^2 + 2^-24 h + 2^-48)" $
+        cubicRoots 1 (-2.9999999403953552) 2.999999880790714 (-0.9999999403953588) `shouldBe` [1]
+
     describe "of any magnitude" $ do
       it "solves x^4 = 2^2000" $ quarticRoots 0x1p-1000 0 0 0 (-0x1p1000) `shouldBe` [-0x1p500, 0x1p500]
       it "solves 2^1000 x^4 - 1 - 2^-1000 / x by halving" $ length (quarticRoots 0x1p1000 0 0 (-1) (-0x1p-1000)) `shouldBe` 2
@@ -67,6 +77,7 @@ spec = do
         prop "multiplying the coefficients by +-2^m changes no bit" isScaledExactly
         prop "integer roots are found exactly, with their multiplicities" findsIntegerRoots
         prop "double roots are found although the coefficients were rounded" findsTouchingRoots
+        prop "roots are found in their places although others are near" findsGatheredRoots
       prop "p(-x) has the opposite roots" isReflected
       prop "as many roots as the degree add to -b/a" hasSum
       prop "a leading coefficient of zero leaves the lower degree" fallsInDegree

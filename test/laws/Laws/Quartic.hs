@@ -10,6 +10,7 @@ module Laws.Quartic
     Polynomial (..),
     WithIntegerRoots (..),
     Touching (..),
+    Gathered (..),
     Wild (..),
 
     -- * What was drawn
@@ -29,6 +30,7 @@ module Laws.Quartic
     refusesNonFinite,
     findsIntegerRoots,
     findsTouchingRoots,
+    findsGatheredRoots,
     findsRootsOfAnySize,
     exactCount,
   )
@@ -87,7 +89,7 @@ isExactInNumber (Polynomial p) =
             (c == 0 || found <= k && even (k - found))
               .&&. counterexample "no multiple root" (v <= term / 2 ^ (25 * k) && v <= 8 * eps * sizes exact c)
 
--- | A root that stands alone is within 1 ulp of an exact one: the polynomial changes its sign there. (Within 4 ulp, if the polynomial is a quadratic one times
+-- | A root that is given once is within 1 ulp of an exact one: the polynomial changes its sign there. (Within 4 ulp, if the polynomial is a quadratic one times
 -- a power of x: the roots are "Dioptre.Math.Roots"'s.)
 isInPlace :: Polynomial -> Property
 isInPlace (Polynomial p) = conjoin [counterexample (show x) (changes x) | [x] <- group (solve p)]
@@ -171,6 +173,16 @@ findsTouchingRoots (Touching r others) = counterexample (show (roots, map fromRa
     roots = solve (map fromRational (expanded 1 (r : r : others)))
     expected = sort (r : r : others)
     near x y = abs (toRational x - y) <= abs y / 10 ^ (10 :: Int)
+
+-- | Coefficients, the highest degree first, of a polynomial most of whose roots, real or complex, are near one place, though not in it.
+newtype Gathered = Gathered [Double]
+  deriving (Eq, Show)
+
+-- | However near the other roots are, one that is given once is in its place, and at each the polynomial vanishes, up to rounding.
+--
+-- Where |x p'(x)| is less than 2^-46 of the sizes of the terms, twice the digits do not tell the place.
+findsGatheredRoots :: Gathered -> Property
+findsGatheredRoots (Gathered p) = isInPlace (Polynomial p) .&&. hasSmallResidual (Polynomial p)
 
 -- | Coefficients of any size, zeros too. The first is not zero.
 newtype Wild = Wild [Double]
@@ -386,6 +398,23 @@ instance Arbitrary Touching where
         stretch <- toRational <$> choose (1, 2 :: Double)
         sign <- elements [1, -1]
         pure (sign * r * (if far > 1 then far * stretch else far / stretch))
+
+-- | a h^n + ... + c h, exactly, with h = x - m, a small integer m, and integers a to c that fall by some 13 bits from one to the next, or by more and less, down to 1 or so: so
+-- the slope at m, which is a root, may be 2^-50 of the sizes of the terms, and it is as small at the roots next to it.
+instance Arbitrary Gathered where
+  arbitrary = (Gathered . map fromInteger <$> polynomial) `suchThat` (\(Gathered p) -> all ((< 2 ^ (53 :: Int)) . abs) p)
+    where
+      polynomial = do
+        n <- elements [3, 4]
+        m <- elements [1, -1, 1, -1, 3, -5]
+        even' <- arbitrary
+        let top = if abs m > 1 then 48 - 2 * n else 48
+        a <- ofBits top
+        between <- mapM (\k -> (if even' then chooseInt (13 * k, 13 * k + 3) else chooseInt (10, top)) >>= ofBits) [n - 2, n - 3 .. 1]
+        c <- chooseInt (0, 4) >>= ofBits
+        pure (foldl (\p k -> zipWith (-) (p ++ [k]) (0 : map (m *) p)) [a] (between ++ [c, 0]))
+      ofBits :: Int -> Gen Integer
+      ofBits k = (*) <$> elements [1, -1] <*> chooseInteger (2 ^ k, 2 ^ (k + 1))
 
 instance Arbitrary Wild where
   arbitrary = Wild <$> (elements [4, 5] >>= (`vectorOf` size')) `suchThat` (\p -> foldr const 0 p /= 0)
