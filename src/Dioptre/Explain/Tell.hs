@@ -35,7 +35,7 @@ import Dioptre.Picture.Byte (normalized, pixelOf)
 import Dioptre.Render.Closest (closest)
 import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
 import Dioptre.Render.Sampling (offset)
-import Dioptre.Render.Shade (Lit (..), Passage (..), coloursAt, lighting, mediumAt, mostRays, passage)
+import Dioptre.Render.Shade (Lit (..), Passage (..), coloursAt, farthest, lighting, mediumAt, mostRays, passage)
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.Texture (Assets, Texture)
@@ -281,7 +281,7 @@ arrivalOf setting p way
     st = stageOf setting
     shadow = ray p (negate (approachDirection way))
     between = obstacles (stageWorld st) shadow distance'
-    distance' = fromMaybe (1 / 0) (approachDistance way)
+    distance' = fromMaybe farthest (approachDistance way)
 
 -- | What lets nothing through on the way of a shadow ray, and where: the nearest such shape, or, behind transparent ones, the first in number.
 blocker :: Setting -> Ray -> Double -> Maybe (Thing, Double)

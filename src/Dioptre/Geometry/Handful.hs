@@ -47,13 +47,13 @@ handful shapes =
       centresY = primArrayFromList [y | (_, (V3 _ y _, _)) <- round'],
       centresZ = primArrayFromList [z | (_, (V3 _ _ z, _)) <- round'],
       radiiSquared = primArrayFromList [q | (_, (_, q)) <- round'],
-      others = smallArrayFromList (map snd rest),
-      numbers = primArrayFromList (map fst round' ++ map fst rest)
+      others = smallArrayFromList rest,
+      numbers = primArrayFromList (map fst round' ++ restNumbers)
     }
   where
     numbered = zip [0 ..] (Vector.toList shapes)
     round' = [(i, ball) | (i, s) <- numbered, Just ball <- [preparedSphere s]]
-    rest = [(i, s) | (i, s) <- numbered, Nothing <- [preparedSphere s]]
+    (restNumbers, rest) = unzip [(i, s) | (i, s) <- numbered, Nothing <- [preparedSphere s]]
 
 -- | What a ray meets first, nearer than a bound.
 --
@@ -80,8 +80,8 @@ closestInHandful h !r !bound = amongOthers 0 (-1) bound
          in if t < best || (t == best && mine < number) then amongSpheres (i + 1) mine t else amongSpheres (i + 1) number best
 {-# NOINLINE closestInHandful #-}
 
--- | Goes through the shapes that a ray meets nearer than a bound, in a fixed order: for each, what to do with its number and the result so far, given how many shapes have been tried
--- and how to go on.
+-- | Goes through the shapes that a ray meets nearer than a bound, in a fixed order: for each, what to do with how many shapes have been tried, this one included, with its number, with the result so far, and
+-- with the way to go on; in the end, what to do with how many there were in all and the result.
 foldMet :: Handful -> Ray -> Double -> (Int -> Int -> a -> (a -> b) -> b) -> (Int -> a -> b) -> a -> b
 foldMet h !r !bound each end = amongSpheres 0
   where

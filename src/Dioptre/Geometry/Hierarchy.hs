@@ -55,7 +55,7 @@ data Hierarchy = Hierarchy
     hierarchyOrder :: !(PrimArray Int),
     -- | How many items have no box.
     boxless :: {-# UNPACK #-} !Int,
-    -- | Eight words a node, which is a line of a processor's cache: six numbers, low x, y, z, high x, y, z; its link, which says where its parts or its items are; and the fork that it is a part of (of the first node, itself).
+    -- | Eight words a node, which is a line of a processor's cache: six numbers, low x, y, z, high x, y, z; its link, which says where its parts or its items are; and the place of the first word of the fork that it is a part of (of the first node, its own).
     nodes :: {-# UNPACK #-} !ByteArray,
     -- | How many nodes there are.
     hierarchyNodes :: {-# UNPACK #-} !Int,
@@ -76,7 +76,7 @@ hierarchyBox h
 hierarchyLeaves :: Hierarchy -> [(Int, Int)]
 hierarchyLeaves h = [placesOf link | node <- [0 .. hierarchyNodes h - 1], let link = linkOf h (nodeWords * node), isLeaf link]
 
--- A node is known by the place of its first word.
+-- In what follows a node is known by the place of its first word.
 
 -- | One of the six numbers of a node.
 faceOf :: Hierarchy -> Int -> Int -> Double
@@ -92,10 +92,6 @@ linkOf h node = indexByteArray (nodes h) (node + 6)
 forkOver :: Hierarchy -> Int -> Int
 forkOver h node = indexByteArray (nodes h) (node + 7)
 {-# INLINE forkOver #-}
-
--- | How many words a node takes.
-nodeWords :: Int
-nodeWords = 8
 
 -------------------------------------------------------------------------------
 -- Following a ray
@@ -177,14 +173,15 @@ hierarchy n boxOf
 -- | Nodes as they are stored, from their faces and links; the forks above them are found.
 toNodes :: PrimArray Double -> PrimArray Int -> ByteArray
 toNodes f l = runByteArray $ do
-  target <- newByteArray (64 * count)
+  target <- newByteArray (8 * nodeWords * count)
   forM_ [0 .. count - 1] $ \node -> do
-    forM_ [0 .. 5] $ \k -> writeByteArray target (8 * node + k) (indexPrimArray f (6 * node + k))
-    writeByteArray target (8 * node + 6) (indexPrimArray l node)
+    let at = nodeWords * node
+    forM_ [0 .. 5] $ \k -> writeByteArray target (at + k) (indexPrimArray f (6 * node + k))
+    writeByteArray target (at + 6) (indexPrimArray l node)
     when (node == 0) $ writeByteArray target 7 (0 :: Int)
     unless (isLeaf (indexPrimArray l node)) $ do
-      writeByteArray target (8 * (node + 1) + 7) (8 * node)
-      writeByteArray target (8 * node + wordsAhead (indexPrimArray l node) + 7) (8 * node)
+      writeByteArray target (at + nodeWords + 7) at
+      writeByteArray target (at + wordsAhead (indexPrimArray l node) + 7) at
   pure target
   where
     count = sizeofPrimArray l

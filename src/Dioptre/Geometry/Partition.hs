@@ -23,6 +23,7 @@ module Dioptre.Geometry.Partition
     partition,
 
     -- * Links
+    nodeWords,
     isLeaf,
     leafAfter,
     placesOf,
@@ -41,7 +42,11 @@ import GHC.Conc (par, pseq)
 -- Links
 
 -- The lowest bit tells leaves from forks. A leaf holds its first place above bit 32 and how many items it has below; a fork the coordinate along which its parts lie in two bits, and above
--- them how many nodes ahead the second part is.
+-- them, from bit 3 on, how many nodes ahead the second part is. With the three bits cleared that is how many words ahead it is, since a node has eight.
+
+-- | How many words a node takes. (The links of forks count on it.)
+nodeWords :: Int
+nodeWords = 8
 
 -- | The link of a leaf: from that place on, so many items.
 leafLink :: Int -> Int -> Int
@@ -66,7 +71,7 @@ coordinateOf :: Int -> Int
 coordinateOf link = (link `shiftR` 1) .&. 3
 {-# INLINE coordinateOf #-}
 
--- | How far ahead the second part of a fork is, for nodes of eight words each.
+-- | How many words ahead the second part of a fork is: so many nodes of 'nodeWords' each.
 wordsAhead :: Int -> Int
 wordsAhead link = link .&. complement 7
 {-# INLINE wordsAhead #-}

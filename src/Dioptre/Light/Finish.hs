@@ -61,7 +61,8 @@ data Colours = Colours
   }
   deriving stock (Eq, Show)
 
--- | The pictures that stand in for colours where there are texture coordinates. Most surfaces have none, which must be known quickly; only 'pictures' makes them.
+-- | The pictures that stand in for colours where there are texture coordinates. Most surfaces have none, which must be known quickly: 'NoPictures'. 'pictures' makes the others, and sees to it that
+-- one of the three is there.
 data Pictures picture
   = NoPictures
   | -- | Ambient, diffuse and specular.
@@ -77,18 +78,19 @@ pictures a d s = Pictures a d s
 data Layer picture = Layer !Colour !(Maybe picture)
   deriving stock (Eq, Show)
 
--- | The layers of a finish.
+-- | The ambient, the diffuse and the specular colour, each with the picture that stands in for it.
 finishAmbient, finishDiffuse, finishSpecular :: Finish picture -> Layer picture
 finishAmbient f = Layer (ambientOf (finishColours f)) (let (a, _, _) = each (finishPictures f) in a)
 finishDiffuse f = Layer (diffuseOf (finishColours f)) (let (_, d, _) = each (finishPictures f) in d)
 finishSpecular f = Layer (specularOf (finishColours f)) (let (_, _, s) = each (finishPictures f) in s)
 
--- | The same finish with another layer.
+-- | The same finish with another ambient, diffuse or specular layer, and the other two as they were.
 withAmbient, withDiffuse, withSpecular :: Layer picture -> Finish picture -> Finish picture
 withAmbient (Layer c p) f = f {finishColours = (finishColours f) {ambientOf = c}, finishPictures = let (_, d, s) = each (finishPictures f) in pictures p d s}
 withDiffuse (Layer c p) f = f {finishColours = (finishColours f) {diffuseOf = c}, finishPictures = let (a, _, s) = each (finishPictures f) in pictures a p s}
 withSpecular (Layer c p) f = f {finishColours = (finishColours f) {specularOf = c}, finishPictures = let (a, d, _) = each (finishPictures f) in pictures a d p}
 
+-- | All three, where there are no pictures too.
 each :: Pictures picture -> (Maybe picture, Maybe picture, Maybe picture)
 each NoPictures = (Nothing, Nothing, Nothing)
 each (Pictures a d s) = (a, d, s)

@@ -36,7 +36,7 @@ exactChain n p = go (negate top) (signAt (negate top)) (zip3 criticals touching 
     signAt = signum . evaluated p . dyadic . ordinal
     criticals = exactChain (n - 1) (zipWith (*) p (map toInteger [n, n - 1 .. 1]))
     touching = map (uncurry touches) criticals
-    -- Given whether the neighbours touch. Between two that do, the polynomial rises or falls, so that they cannot both be roots.
+    -- Given whether the neighbours touch. Between two that do, the polynomial rises or falls, so that not both can be roots: neither counts. One where it is zero exactly counts always, so that the signs that are left are not zero.
     counts before (c, _) after = signAt (position c) == 0 || not (before || after)
     go i s [] = crossing i s top (signAt top)
     go i s (((c, m), touch, alone) : rest)

@@ -27,7 +27,8 @@
 --
 -- * __Number.__ There are as many roots as the polynomial with these very coefficients has, multiplicity counted, unless two of its
 --   roots, real or complex, lie closer to each other than 2^-24 of their size. Roots closer than that whose difference is within the rounding of the
---   coefficients are given as one multiple root; a tangent ray is tangent although its coefficients were rounded.
+--   coefficients are given as one multiple root, so that a tangent ray is tangent although its coefficients were rounded; unless two neighbouring
+--   zeros of the derivative would both be such roots, which cannot be: then roots are given as they are. See Note [Roots that touch].
 -- * __Place.__ A root that is given once is one of the two doubles beside an exact root, or that root, however near others are; a multiple one is the zero of
 --   the derivative that it is. (Where a power of x leaves degree two, the roots are those of "Dioptre.Math.Roots".)
 -- * __Residual.__ |p(x)| <= 8 eps (|a x^n| + ... + |e|), eps = 2^-53, at every root.
@@ -289,7 +290,7 @@ tolerance m = case m of
 between :: Poly -> Chain -> Chain
 between p@(Poly a b c _ d e) criticals = case criticals of
   End -> link (root p (-1) (negate bound) bound (negate b3 / 3)) 1 End
-  Link x m rest -> settled x m rest $ \v ->
+  Link x m rest -> settled x m $ \v ->
     -- The signs at the far left: of x^4 and of x^3.
     let left = if a /= 0 then 1 else -1
      in if left * v < 0
@@ -307,14 +308,14 @@ between p@(Poly a b c _ d e) criticals = case criticals of
       End
         | v < 0 -> link (root p (-1) x bound (x + reach x v)) 1 End
         | otherwise -> End
-      Link y m rest' -> settled y m rest' $ \v' ->
+      Link y m rest' -> settled y m $ \v' ->
         if v * v' < 0
           then link (root p (signum v) x y (inner x v y v')) 1 (from y v' m rest')
           else if v == 0 && v' == 0 then Unsure else from y v' m rest'
       Unsure -> Unsure
     -- The value at a critical point, zero if it counts as zero.
-    settled :: Double -> Int -> Chain -> (Double -> Chain) -> Chain
-    settled !x !m _ continue
+    settled :: Double -> Int -> (Double -> Chain) -> Chain
+    settled !x !m continue
       | not (refined there) = continue v
       | abs v > allowed && abs v > doubt s = continue v
       | doubt s <= allowed = continue 0

@@ -26,6 +26,7 @@ module Dioptre.Render.Shade
     lighting,
     Passage (..),
     passage,
+    farthest,
     mediumAt,
     mostRays,
   )
@@ -83,8 +84,12 @@ unlit s far r = case closest (stageWorld s) r far of
 --
 -- See Note [Rays as a stack] and Note [Numbers that travel].
 look :: Stage -> Terms -> Double -> Ray -> Seen
-look s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1 1 1 (mediumAt (stageWorld s) Nothing (origin primary))) Done
+look s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1 1 1 medium) Done
   where
+    -- Where nothing goes on, nobody asks where it travels.
+    medium
+      | stageDepth s > 1 = mediumAt (stageWorld s) Nothing (origin primary)
+      | otherwise = 1
     follow tally@(Tally followed shadows tests red' green' blue') pending@(Pending r depth wr wg wb index) rest
       | followed >= mostRays = told True tally
       | otherwise = case closest (stageWorld s) r far of
@@ -196,7 +201,8 @@ illuminated w !ambient' !diffuse' highlight !at !normal source give = case sourc
     {-# INLINE from #-}
 {-# INLINE illuminated #-}
 
--- | No ray meets anything beyond: the largest number.
+-- | The bound of a shadow ray to a light that is infinitely far: the largest number. Parameters are below it; one that is this very number cannot come of numbers up to 1e100 such as a scene has. (Infinity has no literal, and 1 \/ 0 would be a
+-- value to be looked up.)
 farthest :: Double
 farthest = 1.7976931348623157e308
 
@@ -205,7 +211,7 @@ dark :: Colour -> Bool
 dark (Colour r g b _) = r < smallestLength && g < smallestLength && b < smallestLength
 
 -- | How much of red, green and blue light comes past what stands in its way, and how many times the ray was tried on a shape to know it: 0 0 0 if anything lets nothing through, 1 1 1 if nothing is there, and else the product of the
--- tints.
+-- tints (which may be 0 0 0 as well: whether anything lets nothing through is told by 'obstacles').
 data Passage = Passage {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int
   deriving stock (Eq, Show)
 
@@ -221,6 +227,8 @@ passage w !r !bound = case obstacles w r bound of
 
 -- | The refractive index at a point, a shape left out: 1 outside all closed shapes, that of the material inside one, the mean inside several.
 -- A point on a surface is not inside.
+--
+-- Cost: constant where nothing closed lets light through; else that of 'surroundings'.
 mediumAt :: World -> Maybe Int -> Point -> Double
 mediumAt w leftOut p
   | worldHasMedia w = mediumAmong w leftOut p
@@ -257,8 +265,8 @@ pictured (Colours ambient' diffuse' specular' shininess) a d s uv = Colours (at 
 -- Note [Numbers that travel]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~
 -- A ray, a point, a normal and the colours of a surface are some thirty numbers, which go from one function to the next a hundred million times for a picture. GHC hands a record over as its numbers, without making it, if the function
--- surely looks into it, and if that makes no more arguments than -fmax-worker-args says. It says 10, which is less than a ray and a bound; here it says 40. In the same way what a function makes is handed back as numbers: Seen, Lit and
--- Passage are never in memory, and a Ray only where it waits for its turn.
+-- surely looks into it, and if that makes no more arguments than -fmax-worker-args says. It says 10, which is less than the colours of a surface (13), or a few shapes, a ray and a bound (14); here it says 40. In the same way what a function makes is handed back as numbers: Seen, Lit and
+-- Passage are never in memory.
 --
 -- Three things follow for what is here. Records are unpacked into each other down to the numbers. What is not to be taken apart is no record: a 'World' has two constructors, and stays one pointer. And whatever is looked into is looked
 -- into early, or once: before GHC 9.0 looks at a value behind a pointer, it saves all numbers that it has at hand, in case the value must be computed first.

@@ -67,11 +67,11 @@ import Dioptre.Render.Texture (Assets, Texture (..), Upward (..))
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Primitive (Primitive (..))
 
--- | All that rays can meet.
+-- | All that rays can meet; 'world' makes it, and 'root' and 'worldExtent' read both kinds.
 data World
-  = -- | A few shapes, or such as have no end: all are tried, one after the other.
+  = -- | A few shapes, or such as have no end: all are tried, one after the other. The shapes for that; everything; and how large it is, which is computed when it is asked.
     Few {-# UNPACK #-} !Handful !Group Extent
-  | -- | More, and instances of models: there is an index.
+  | -- | More, or instances of models: there is an index. Everything, and how large it is.
     Many !Group Extent
 
 -- | Everything: the scene's own shapes, and its instances of models.

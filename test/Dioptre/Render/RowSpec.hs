@@ -33,7 +33,7 @@ spec = do
     it "without light, allocates its bytes and nothing else" $ do
       early
       bytesPerPixel (Text.replace "blinn" "no_light") >>= (`shouldSatisfy` (\bytes -> bytes >= 4 && bytes < 6))
-    -- The primary ray, and what was hit. Measured with GHC 9.0.2: 174 bytes. Nothing for what each light adds: its ray alone would be 72 bytes, and so would be the point, the normal and the colours.
+    -- The primary ray, and what was hit. Measured with GHC 9.0.2: 174 bytes. Nothing for what each light adds: a shadow ray alone would be 64 bytes.
     it "with light and shadows, allocates little for each pixel" $ do
       early
       bytesPerPixel id >>= (`shouldSatisfy` (< 220))
