@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE HexFloatLiterals #-}
 
 -- |
 -- Module      : Dioptre.Geometry.Cube
@@ -33,6 +32,7 @@ module Dioptre.Geometry.Cube
 where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Ordinal (finite)
 import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, alongX, alongY, alongZ, opposite)
 import GHC.Exts (build)
@@ -73,7 +73,7 @@ cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
               !leave = smaller leaveYZ farX
               !inside = leave - enter
            in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
-              if inside >= 0 && inside <= largestFinite then cons enter (cons leave nil) else nil
+              if inside >= 0 && finite inside then cons enter (cons leave nil) else nil
         else nil
 {-# INLINE cubeParameters #-}
 
@@ -95,10 +95,6 @@ larger a b = if a > b then a else b
 smaller a b = if a < b then a else b
 {-# INLINE larger #-}
 {-# INLINE smaller #-}
-
-largestFinite :: Double
-largestFinite = 0x1.fffffffffffffp1023
-{-# INLINE largestFinite #-}
 
 infinity :: Double
 infinity = 1 / 0

@@ -65,7 +65,8 @@ axis a b
 -- | The length of an axis, H, which is not zero: where the points are so near that the squares of their differences vanish (below 1e-154), those are scaled by a power of two first.
 axisLength :: Axis -> Double
 axisLength (Axis a b)
-  | size > 1e-140 = distance a b
+  -- 1e-140. See Note [Literals] of "Dioptre.Math.Roots".
+  | size > 1e-70 * 1e-70 = distance a b
   | otherwise = scaleFloat e (modulus (scaleFloat (negate e) <$> between))
   where
     between = b - a

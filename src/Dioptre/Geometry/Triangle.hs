@@ -147,7 +147,7 @@ edge (Shadow ax ay) (Shadow bx by) = ax * by - ay * bx
 -- (0.5,0.25)
 barycentric :: Point -> Point -> Point -> Point -> (Double, Double)
 barycentric p0 p1 p2 p
-  | d > 0x1p-20 * (s11 * s22) && ordinary s11 && ordinary s22 && dot w w < 1e140 = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
+  | d > 0x1p-20 * (s11 * s22) && ordinary s11 && ordinary s22 && dot w w < vast = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
   | otherwise = byCrossProducts w s1 s2
   where
     w = p - p0
@@ -159,7 +159,9 @@ barycentric p0 p1 p2 p
     ws1 = dot w s1
     ws2 = dot w s2
     d = s11 * s22 - s12 * s12
-    ordinary x = x > 1e-140 && x < 1e140
+    ordinary x = x > 1e-70 * 1e-70 && x < vast
+    -- 1e140. See Note [Literals] of "Dioptre.Math.Roots".
+    vast = 1e70 * 1e70
 {-# INLINE barycentric #-}
 
 -- | The same for any triangle: with n = s1 x s2,

@@ -1,4 +1,3 @@
-{-# LANGUAGE HexFloatLiterals #-}
 
 -- |
 -- Module      : Dioptre.Math.Ordinal
@@ -20,9 +19,9 @@ where
 import Data.Bits (unsafeShiftR, xor, (.&.))
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
--- | Whether a number is neither infinite nor NaN.
+-- | Whether a number is neither infinite nor NaN, which less themselves are NaN.
 finite :: Double -> Bool
-finite x = abs x <= 0x1.fffffffffffffp1023
+finite x = x - x == 0
 {-# INLINE finite #-}
 
 -- | The number of a double, when they are counted from zero upwards and downwards.

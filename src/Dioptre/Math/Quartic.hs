@@ -100,7 +100,7 @@ withZero roots = let (below, above) = span (< 0) roots in below ++ 0 : above
 -- positive; then solved in binary64 if their sizes allow it, and if that leaves no doubt. See Note [Sizes].
 scaled :: (Double -> Double -> Double -> Double -> Double -> Chain) -> Double -> Double -> Double -> Double -> Double -> [Double]
 scaled solve a b c d e
-  | abs lead >= 0x1p-60 && abs e' >= 0x1p-200 && negligible b' && negligible c' && negligible d' =
+  | abs lead >= 0x1p-60 && abs e' >= 0x1p-100 * 0x1p-100 && negligible b' && negligible c' && negligible d' =
     case solve a' b' c' d' e' of
       Unsure -> exactRoots coefficients
       chain -> listed chain
@@ -109,11 +109,13 @@ scaled solve a b c d e
     coefficients = if a == 0 then [b, c, d, e] else [a, b, c, d, e]
     leading = if a == 0 then b else a
     largest = abs a `larger` abs b `larger` abs c `larger` abs d `larger` abs e
-    -- First to the middle of the range of exponents, then to 1: both factors are normal numbers.
+    -- First to the middle of the range of exponents, then to 1: both factors are normal numbers. (2^-500 and 2^500, 2^600 and 2^-600. See Note [Literals] of "Dioptre.Math.Roots".)
     !j
-      | largest < 0x1p-500 = 0x1p600
-      | largest > 0x1p500 = 0x1p-600
+      | largest < small * small * small * small * small = large * large * large * large * large * large
+      | largest > large * large * large * large * large = small * small * small * small * small * small
       | otherwise = 1
+    small = 0x1p-100
+    large = 0x1p100
     !k = castWord64ToDouble ((2046 - (castDoubleToWord64 (j * largest) `unsafeShiftR` 52)) `shiftL` 52)
     !k' = if leading < 0 then negate k else k
     !a' = k' * (j * a)
@@ -122,7 +124,7 @@ scaled solve a b c d e
     !d' = k' * (j * d)
     !e' = k' * (j * e)
     !lead = if a == 0 then b' else a'
-    negligible x = x == 0 || abs x >= 0x1p-400
+    negligible x = x == 0 || abs x >= small * small * small * small
 {-# INLINE scaled #-}
 
 larger :: Double -> Double -> Double

@@ -49,6 +49,7 @@ module Dioptre.Math.Roots
   )
 where
 
+import Dioptre.Math.Ordinal (finite)
 import GHC.Exts (build)
 
 -- | The root of @a x + b@, or none.
@@ -146,8 +147,8 @@ linear a b
 -- A copy of this stands wherever a shape solves its equation, so it holds the ordinary case and nothing else.
 quadratic :: Double -> Double -> Double -> Roots
 quadratic a b c
-  -- Most rays miss. (Rounding keeps order: u < v, as computed, proves D < 0, however small the products are, and whatever a and b are. Where 4 a is out of range, nothing is proved.)
-  | u < v && v < 0x1p1023 = None
+  -- Most rays miss. (Rounding keeps order: u < v, as computed, proves D < 0, however small the products are, and whatever a and b are. Where v is out of range, nothing is proved: 4 a may be.)
+  | u < v && finite v = None
   | roomy (u + abs v) && roomy (abs a) && b /= 0 = solved (/) a b c u v
   | otherwise = quadraticElsewhere a b c
   where
@@ -162,9 +163,9 @@ clearlyNone :: Double -> Double -> Double -> Bool
 clearlyNone a h c = h * h < a * c
 {-# INLINE clearlyNone #-}
 
--- | Whether a magnitude is far from both ends of the range of exponents; false for zero, infinity and NaN.
+-- | Whether a magnitude is far from both ends of the range of exponents; false for zero, infinity and NaN. (From 2^-400 to 2^400. See Note [Literals].)
 roomy :: Double -> Bool
-roomy x = x > 0x1p-400 && x < 0x1p400
+roomy x = x > 0x1p-100 * 0x1p-100 * 0x1p-100 * 0x1p-100 && x < 0x1p100 * 0x1p100 * 0x1p100 * 0x1p100
 {-# INLINE roomy #-}
 
 -- | Step 1 in full, @b = 0@, and any exponents whatever. See Note [Exponents without bounds].
@@ -196,10 +197,6 @@ representable (Two x y)
   | finite y = One y
   | otherwise = None
 representable roots = roots
-
-finite :: Double -> Bool
-finite x = abs x <= 0x1.fffffffffffffp1023
-{-# INLINE finite #-}
 
 -- | Steps 3 to 7 for @b@ other than zero, given a way to divide, the coefficients and the products @u@ and @v@.
 solved :: (Double -> Double -> Double) -> Double -> Double -> Double -> Double -> Double -> Roots
@@ -272,6 +269,12 @@ pair larger smaller
     !x = opposite larger
     !y = opposite smaller
 {-# INLINE pair #-}
+
+{- Note [Literals]
+   ~~~~~~~~~~~~~~~
+A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time, wherever it is looked at, lest a program such as 1e1000000000 keep the compiler busy: it costs a hundred
+times as much as what it is compared with. A product of smaller literals is computed by the compiler, exactly, and rounded once.
+-}
 
 {- Note [The sign of the discriminant]
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~

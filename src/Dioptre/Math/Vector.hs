@@ -151,7 +151,8 @@ newtype Unit = Unit Vector
 -- Nothing
 unit :: Vector -> Maybe Unit
 unit v
-  | q > 1e-280 && q < 1e280 = Just (Unit (v ^/ sqrt q))
+  -- 1e-280 and 1e280. See Note [Literals] of "Dioptre.Math.Roots".
+  | q > 1e-100 * 1e-100 * 1e-80 && q < 1e100 * 1e100 * 1e80 = Just (Unit (v ^/ sqrt q))
   | otherwise = unitScaled v
   where
     q = quadrance v

@@ -201,10 +201,11 @@ illuminated w !ambient' !diffuse' highlight !at !normal source give = case sourc
     {-# INLINE from #-}
 {-# INLINE illuminated #-}
 
--- | The bound of a shadow ray to a light that is infinitely far: the largest number. Parameters are below it; one that is this very number cannot come of numbers up to 1e100 such as a scene has. (Infinity has no literal, and 1 \/ 0 would be a
--- value to be looked up.)
+-- | The bound of a shadow ray to a light that is infinitely far. A scene has no number beyond 1e100, and no parameter comes near 1e300. (Infinity has no literal, and 1 \/ 0 would be a value to be looked up; see also Note [Literals] of
+-- "Dioptre.Math.Roots".)
 farthest :: Double
-farthest = 1.7976931348623157e308
+farthest = 1e100 * 1e100 * 1e100
+{-# INLINE farthest #-}
 
 -- | Whether a light has been filtered away.
 dark :: Colour -> Bool

@@ -8,11 +8,9 @@
 module Dioptre.Render.WorldSpec (spec) where
 
 import Control.Exception (evaluate)
-import Control.Monad (when)
 import Data.Foldable (for_)
 import Data.Int (Int64)
 import Data.Maybe (fromMaybe, mapMaybe)
-import Data.Version (Version (..))
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Disk (annulus, disk)
@@ -30,7 +28,6 @@ import Laws.Closest
 import Laws.Mesh (meshOf)
 import Laws.World
 import Linear.V3 (V3 (..))
-import System.Info (compilerVersion)
 import System.Mem (getAllocationCounter, setAllocationCounter)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -78,7 +75,6 @@ spec = do
   -- words for the cell, two for the number).
   describe "closest, among eight shapes, which are tried one after the other" $ do
     it "makes no lists: it allocates nothing" $ do
-      when (compilerVersion >= Version [9, 2] []) (pendingWith "GHC 9.0 fuses the lists; later versions are yet to be taught")
       for_ [spheres, planes, disks, triangles, annuli] $ \make -> bytesPerRay (worldOf (take 8 (ofMakers make))) >>= (`shouldSatisfy` (< 8))
     it "makes no lists of cubes: one number each, at most" $ bytesPerRay (worldOf (take 8 (ofMakers cubes))) >>= (`shouldSatisfy` (<= 8 * 16))
     it "would be seen to make them" $ do
