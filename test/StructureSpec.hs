@@ -5,11 +5,13 @@ module StructureSpec
 where
 
 import Control.Monad (forM, forM_)
+import Data.Char (isAlphaNum, isDigit)
 import Data.List (elemIndex, isPrefixOf, isSuffixOf, sort, stripPrefix)
-import Data.Maybe (isNothing, mapMaybe)
+import Data.Maybe (isNothing, mapMaybe, maybeToList)
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.FilePath (dropExtension, splitDirectories, (</>))
 import Test.Hspec (Spec, it, shouldBe, shouldSatisfy)
+import Text.Read (readMaybe)
 
 spec :: Spec
 spec = do
@@ -33,6 +35,32 @@ spec = do
     modules <- sources "src"
     forM_ modules $ \path ->
       last (splitDirectories (dropExtension path)) `shouldSatisfy` (`notElem` ["Utils", "Util", "Types", "Common", "Misc", "Helpers"])
+  -- Note [Literals] of "Dioptre.Math.Roots"
+  it "has no number that GHC makes at run time" $ do
+    literals "x > 1e-280 && 0x1p-400 < y || z == 1.5e100 || e128 -- 1e300" `shouldBe` [-280, -400, 100]
+    folders <- mapM (sources . ("src/Dioptre" </>)) ["Math", "Geometry", "Light", "Optics", "Picture", "Render"]
+    found <- forM (concat folders) $ \path -> (\text -> [(path, e) | e <- concatMap literals (lines text), abs e > 100]) <$> readFile path
+    concat found `shouldBe` []
+
+-- | The exponents of the numbers in a line of code.
+literals :: String -> [Int]
+literals line = concatMap exponentOf (numerals (code line))
+  where
+    code ('-' : '-' : _) = ""
+    code (c : rest) = c : code rest
+    code "" = ""
+    -- Words that begin with a digit, each with the sign of its exponent.
+    numerals text = case dropWhile (not . partOfWord) text of
+      "" -> []
+      found@(c : _) ->
+        let (word, rest) = span partOfWord found
+         in case rest of
+              '-' : more | isDigit c, last word `elem` "ep" -> let (digits, further) = span isDigit more in (word ++ '-' : digits) : numerals further
+              _ -> [word | isDigit c] ++ numerals rest
+    partOfWord c = isAlphaNum c || c `elem` "._'"
+    exponentOf word = case break (== (if "0x" `isPrefixOf` word then 'p' else 'e')) word of
+      (_, _ : digits) -> maybeToList (readMaybe digits)
+      _ -> []
 
 -- | The stages, in the order in which a scene passes through them.
 stages :: [String]

@@ -272,7 +272,7 @@ pair larger smaller
 
 {- Note [Literals]
    ~~~~~~~~~~~~~~~
-A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time, wherever it is looked at, lest a program such as 1e1000000000 keep the compiler busy: it costs a hundred
+A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time, wherever it is looked at, lest an exponent of a thousand million keep the compiler busy: it costs a hundred
 times as much as what it is compared with. A product of smaller literals is computed by the compiler, exactly, and rounded once.
 -}
 
