@@ -1,3 +1,4 @@
+{-# LANGUAGE HexFloatLiterals #-}
 
 -- |
 -- Module      : Dioptre.Math.Ordinal
@@ -19,9 +20,11 @@ where
 import Data.Bits (unsafeShiftR, xor, (.&.))
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
--- | Whether a number is neither infinite nor NaN, which less themselves are NaN.
+-- | Whether a number is neither infinite nor NaN. (The largest number is (2 - 2^-52) 2^1023. See Note [Literals] of "Dioptre.Math.Roots".)
 finite :: Double -> Bool
-finite x = x - x == 0
+finite x = abs x <= 0x1.fffffffffffffp23 * (h * h * h * h * h * h * h * h * h * h)
+  where
+    h = 0x1p100
 {-# INLINE finite #-}
 
 -- | The number of a double, when they are counted from zero upwards and downwards.

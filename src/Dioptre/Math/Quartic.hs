@@ -141,7 +141,7 @@ data Chain
   | -- | The digits at hand do not tell, or two neighbours are in each other's way: whole numbers decide.
     Unsure
 
--- | A place before others; in doubt where it is 'nowhere', or where they are in doubt.
+-- | A place before others; in doubt where it is @nowhere@, or where they are in doubt.
 link :: Double -> Int -> Chain -> Chain
 link _ _ Unsure = Unsure
 link x m rest
@@ -149,7 +149,7 @@ link x m rest
   | otherwise = Unsure
 {-# INLINE link #-}
 
--- | What 'root' gives where the digits at hand do not tell the last ones of a root.
+-- | What @root@ gives where the digits at hand do not tell the last ones of a root.
 nowhere :: Double
 nowhere = 0 / 0
 
@@ -353,7 +353,7 @@ smaller x y = if x < y then x else y
 {-# INLINE smaller #-}
 
 -- | The root between two places, at whose lower one the polynomial has the given sign, and the other sign at the upper one, by Newton's method from a
--- guess, kept between them; or 'nowhere'. See Note [Polishing].
+-- guess, kept between them; or @nowhere@. See Note [Polishing].
 root :: Poly -> Double -> Double -> Double -> Double -> Double
 root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
   | low < 0 && high > 0 = if e == 0 then 0 else if e * sign > 0 then start 0 high else start low 0
