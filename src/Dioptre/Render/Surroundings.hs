@@ -23,7 +23,7 @@ import Dioptre.Light.Finish (Finish)
 import Dioptre.Math.Transform (inversePosition)
 import Dioptre.Math.Vector (Point)
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World, root)
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), Surface (..), World, root)
 import Linear.V3 (V3 (..))
 
 -- | The finishes of the closed shapes that a point is inside of, in the order of their numbers; a shape left out, by its number.
@@ -39,8 +39,8 @@ surroundingIn g first p = within' (groupInstances g) inInstance . within' (group
       Tried all' _ -> all'
       where
         range from end l = foldl' (\l' place -> try (indexPrimArray (hierarchyOrder (boxes a)) place) (things a Vector.! place) l') l [from .. end - 1]
-    inShape number shape found = case groupFinishes g !? number of
-      Just f | contains shape p -> (first + number, f) : found
+    inShape number shape found = case groupSurfaces g !? number of
+      Just surface | contains shape p -> (first + number, surfaceFinish surface) : found
       _ -> found
     inInstance _ (Placed inner place body) found = case body of
       Assembly g' -> surroundingIn g' (first + inner) (maybe p (`inversePosition` p) place) found
