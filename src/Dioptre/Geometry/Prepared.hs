@@ -11,7 +11,7 @@
 -- shape is hit at the same parameters as a plain one, to the bit (a law).
 --
 -- There is one dispatcher, 'parameters', and it returns a list. The list costs nothing: one 'build' stands outside the case, every rule
--- is a good producer, and consumers are folds, so that no cell of it is ever made. See Note [Lists that vanish].
+-- is a good producer, and consumers are folds, so that no cell of it is ever made. See Note [One build for all shapes].
 module Dioptre.Geometry.Prepared
   ( -- * Preparing
     Prepared,
@@ -295,8 +295,10 @@ contains shape p = case shape of
   Rare (Tube _) -> False
   Rare (Cap {}) -> False
 
--- Note [Lists that vanish]
--- ~~~~~~~~~~~~~~~~~~~~~~~~
+-- Note [One build for all shapes]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- (Note [Lists that vanish] of "Dioptre.Math.Roots" tells the same of one equation.)
+--
 -- GHC's rule foldr k z (build g) = g k z removes a list between its producer and its consumer, if it can see both at once. Hence:
 -- 'parameters' is one build, with the case inside it (a case of lists would hide the build from its consumer); each branch hands
 -- its rule's list on with foldr, which meets the build of linearRoots, quadraticRoots or cubeParameters in its turn; all are

@@ -120,7 +120,7 @@ quadraticRoots :: Double -> Double -> Double -> [Double]
 quadraticRoots a b c = build (ascending (quadratic a b c))
 {-# INLINE quadraticRoots #-}
 
--- | Finite roots in ascending order, before they become a list. A higher degree brings its constructors along.
+-- | Finite roots in ascending order, before they become a list.
 data Roots
   = None
   | One !Double
@@ -359,6 +359,5 @@ not, so that the copies stay small. Roots is not built either: in 'quadratic' ea
 'ascending', which turns it into a jump. What remains is arithmetic on unboxed numbers, and RootsSpec measures that a loop
 of it allocates nothing.
 
-Cubic and quartic polynomials will join by a constructor of Roots for each number of roots, and a function each from
-coefficients to Roots; out of line, since beside their work a box is nothing.
+Degrees three and four build real lists, out of line: beside their work a cell is nothing ("Dioptre.Math.Quartic").
 -}
