@@ -58,6 +58,7 @@ import qualified Dioptre.Light.MaterialSpec
 import qualified Dioptre.Light.WaveSpec
 import qualified Dioptre.Light.WavelengthSpec
 import qualified Dioptre.LoadSpec
+import qualified Dioptre.Math.ErrorFreeSpec
 import qualified Dioptre.Math.QuarticSpec
 import qualified Dioptre.Math.RootsSpec
 import qualified Dioptre.Math.TransformSpec
@@ -184,6 +185,7 @@ specs = do
   describe "Dioptre.Light.Wave" Dioptre.Light.WaveSpec.spec
   describe "Dioptre.Light.Wavelength" Dioptre.Light.WavelengthSpec.spec
   describe "Dioptre.Load" Dioptre.LoadSpec.spec
+  describe "Dioptre.Math.ErrorFree" Dioptre.Math.ErrorFreeSpec.spec
   describe "Dioptre.Math.Quartic" Dioptre.Math.QuarticSpec.spec
   describe "Dioptre.Math.Roots" Dioptre.Math.RootsSpec.spec
   describe "Dioptre.Math.Transform" Dioptre.Math.TransformSpec.spec

@@ -47,6 +47,7 @@ module Dioptre.Math.Quartic
 where
 
 import Data.Bits (shiftL, unsafeShiftR)
+import Dioptre.Math.ErrorFree (halves, productError, sumError)
 import Dioptre.Math.ExactRoots (exactRoots)
 import Dioptre.Math.Ordinal (average, finite, ordinal, position)
 import Dioptre.Math.Roots (quadraticRoots)
@@ -205,27 +206,6 @@ compensated (Poly a b c c' d e) !x
           !l3 = l2 * x + (productError s2 xs p3 + sumError p3 e s3)
        in s3 + l3
     {-# INLINE afterCubic #-}
-
--- | A number as the sum of two with at most 26 bits each (Veltkamp).
-data Halves = Halves !Double !Double
-
-halves :: Double -> Halves
-halves x = let !g = 0x8000001 * x; !x1 = g - (g - x) in Halves x1 (x - x1)
-{-# INLINE halves #-}
-
--- | What rounding took from the product z of two numbers (Dekker), the second given by its halves.
-productError :: Double -> Halves -> Double -> Double
-productError x (Halves y1 y2) z = x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)
-  where
-    !(Halves x1 x2) = halves x
-{-# INLINE productError #-}
-
--- | What rounding took from the sum s of two numbers (Knuth).
-sumError :: Double -> Double -> Double -> Double
-sumError x y s = (x - (s - t)) + (y - t)
-  where
-    !t = s - x
-{-# INLINE sumError #-}
 
 -- | The derivative at a place.
 slope :: Poly -> Double -> Double
