@@ -41,7 +41,7 @@ import Dioptre.Light.Colour (Colour (..), black, capped, filtered, plus, rgb, sc
 import Dioptre.Light.Finish (Colours (..), Finish (..), Pictures (..), hasPictures, isTransparent)
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
-import Dioptre.Math.Tolerance (smallestLength)
+import Dioptre.Math.Tolerance (smallestLight)
 import Dioptre.Math.Vector (Packed, Point, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
@@ -209,7 +209,7 @@ farthest = 1e100 * 1e100 * 1e100
 
 -- | Whether a light has been filtered away.
 dark :: Colour -> Bool
-dark (Colour r g b _) = r < smallestLength && g < smallestLength && b < smallestLength
+dark (Colour r g b _) = r < smallestLight && g < smallestLight && b < smallestLight
 
 -- | How much of red, green and blue light comes past what stands in its way, and how many times the ray was tried on a shape to know it: 0 0 0 if anything lets nothing through, 1 1 1 if nothing is there, and else the product of the
 -- tints (which may be 0 0 0 as well: whether anything lets nothing through is told by 'obstacles').
