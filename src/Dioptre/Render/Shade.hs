@@ -42,7 +42,7 @@ import Dioptre.Light.Finish (Colours (..), Finish (..), Pictures (..), hasPictur
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
 import Dioptre.Math.Tolerance (smallestLight)
-import Dioptre.Math.Vector (Packed, Point, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
+import Dioptre.Math.Vector (Packed, PackedUnit, Point, Vector, dot, modulus, packed, packedUnit, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Closest (closest)
@@ -125,9 +125,9 @@ data Pending = Pending {-# UNPACK #-} !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !D
 data Remaining = Done | Then {-# UNPACK #-} !Pending !Remaining
 
 -- | The refracted ray, if there is one, before those that remain: where a ray meets a surface with this finish, of the shape with this number. The normals there are the outward one and the one that is turned against the ray.
-through :: World -> Finish Texture -> Int -> Pending -> Packed -> Packed -> Packed -> Remaining -> Remaining
+through :: World -> Finish Texture -> Int -> Pending -> Packed -> PackedUnit -> PackedUnit -> Remaining -> Remaining
 through w f !i (Pending r depth wr wg wb index) !at !outward !normal !rest
-  | dot v (unpacked outward) > 0 =
+  | dot v (vector (unpackedUnit outward)) > 0 =
     let kt = finishTransparency f
      in onwards (mediumAt w (Just i) p) (kt * wr) (kt * wg) (kt * wb)
   | otherwise =
@@ -147,7 +147,7 @@ data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Dou
 -- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the ray, seen in a direction; the sum over all lights, in their order.
 --
 -- What the algorithm leaves out is black. Which highlight it has is asked once, and not for each light.
-lighting :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Lit
+lighting :: Stage -> Terms -> Colours -> Packed -> PackedUnit -> Packed -> Lit
 lighting s terms !colours !p !n !v = case termHighlight terms of
   NoHighlight -> summed (\_ _ -> black)
   BlinnHighlight -> summed (\light d -> blinn light (specularOf colours) (unpackedUnit n) d (unpacked v) (shininessOf colours))
@@ -167,7 +167,7 @@ lighting s terms !colours !p !n !v = case termHighlight terms of
 
 -- | The light of one source at a point with normal n of a surface with this ambient and this diffuse colour, and this highlight of a light that travels along a direction. It is handed on with how many rays and tests it took:
 -- whatever is done with it is done last, so that GHC makes jumps of all that happens here.
-illuminated :: World -> Colour -> Colour -> (Colour -> Vector -> Colour) -> Packed -> Packed -> Source -> (Colour -> Int -> Int -> a) -> a
+illuminated :: World -> Colour -> Colour -> (Colour -> Vector -> Colour) -> Packed -> PackedUnit -> Source -> (Colour -> Int -> Int -> a) -> a
 illuminated w !ambient' !diffuse' highlight !at !normal source give = case source of
   FromEverywhere light -> give (ambient light ambient') 0 0
   FromFar light d -> shining light 1 (unpacked d) farthest
