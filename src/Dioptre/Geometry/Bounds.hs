@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -73,6 +72,7 @@ import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
+import Dioptre.Math.Tolerance (boxGrowth, cornerSlack, slabSlack)
 import Dioptre.Math.Transform (Placement, placement, transformPosition)
 import Dioptre.Math.Vector (Packed, Point, Unit, packed, unit, unpacked, vector, (*^))
 import Linear.V3 (V3 (..))
@@ -149,7 +149,7 @@ transformed m b = enlarged (ofPoints (corner V3 boxLow boxLow boxLow) [corner V3
 enlarged :: Box -> Box
 enlarged b = spanned (subtract slack <$> boxLow b) ((+ slack) <$> boxHigh b)
   where
-    slack = 0x1p-20 * foldr upper 0 (boxHigh b - boxLow b) + 0x1p-48 * foldr (upper . abs) (foldr (upper . abs) 0 (boxLow b)) (boxHigh b)
+    slack = boxGrowth * foldr upper 0 (boxHigh b - boxLow b) + cornerSlack * foldr (upper . abs) (foldr (upper . abs) 0 (boxLow b)) (boxHigh b)
 
 -------------------------------------------------------------------------------
 -- Boxes of shapes
@@ -244,7 +244,7 @@ approach r = Approach (packed (origin r)) (packed i) (packed (wider <$> i)) (fac
   where
     i@(V3 ix iy iz) = recip <$> direction r
     wider :: Double -> Double
-    wider c = c * 0x1.0000000000004p0
+    wider c = c * (1 + slabSlack)
     face :: Int -> Double -> Int
     face k c = if c >= 0 then k else k + 3
 {-# INLINE approach #-}
@@ -280,7 +280,7 @@ meets (Approach o i j fx fy fz) face !far
     !leaveY = (face (5 - fy) - oy) * jy
     !enterZ = (face fz - oz) * iz
     !leaveZ = (face (7 - fz) - oz) * jz
-    !bound = far * 0x1.0000000000004p0
+    !bound = far * (1 + slabSlack)
 {-# INLINE meets #-}
 
 -- | The six numbers of a box: low x, y, z, high x, y, z, by their places from 0 to 5.
