@@ -11,7 +11,7 @@ spec :: Spec
 spec = do
   describe "productError" $ do
     -- (1 + h)^2 = 1 + 2 h + h^2, of which h^2 is lost
-    it "is what a square lost" $ [let x = 1 + h in productError x (halves x) (x * x) | h <- [2 ** (-30), 2 ** (-40)]] `shouldBe` [2 ** (-60), 2 ** (-80)]
+    it "is what a square lost" $ [let x = 1 + d in productError x (halves x) (x * x) | d <- [2 ** (-30), 2 ** (-40)]] `shouldBe` [2 ** (-60), 2 ** (-80)]
     prop "makes the product whole" productsAreWhole
     prop "is zero where the digits suffice" shortSquaresAreExact
   describe "sumError" $ do

@@ -23,14 +23,14 @@ data Pair = Pair Double Double
 instance Arbitrary Pair where
   arbitrary = oneof [apart, near, Pair <$> few <*> few]
     where
-      apart = Pair <$> sized 484 <*> sized 484
+      apart = Pair <$> upTo 484 <*> upTo 484
       near = do
-        x <- sized 300
+        x <- upTo 300
         k <- chooseInt (-3, 3)
         sign <- elements [1, -1]
         Pair x . (sign *) . nudged k <$> elements [x, 2 * x]
       few = number Few
-      sized most = frequency [(1, pure 0), (2, powerOfTwo (negate most) most), (6, chooseInt (negate most, most) >>= ofSize)]
+      upTo most = frequency [(1, pure 0), (2, powerOfTwo (negate most) most), (6, chooseInt (negate most, most) >>= ofSize)]
 
 -- | What the generator must reach.
 pairCorners :: Pair -> [(String, Bool)]
