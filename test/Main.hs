@@ -59,6 +59,8 @@ import qualified Dioptre.Light.WaveSpec
 import qualified Dioptre.Light.WavelengthSpec
 import qualified Dioptre.LoadSpec
 import qualified Dioptre.Math.ErrorFreeSpec
+import qualified Dioptre.Math.OrderSpec
+import qualified Dioptre.Math.OrdinalSpec
 import qualified Dioptre.Math.QuarticSpec
 import qualified Dioptre.Math.RootsSpec
 import qualified Dioptre.Math.TransformSpec
@@ -186,6 +188,8 @@ specs = do
   describe "Dioptre.Light.Wavelength" Dioptre.Light.WavelengthSpec.spec
   describe "Dioptre.Load" Dioptre.LoadSpec.spec
   describe "Dioptre.Math.ErrorFree" Dioptre.Math.ErrorFreeSpec.spec
+  describe "Dioptre.Math.Order" Dioptre.Math.OrderSpec.spec
+  describe "Dioptre.Math.Ordinal" Dioptre.Math.OrdinalSpec.spec
   describe "Dioptre.Math.Quartic" Dioptre.Math.QuarticSpec.spec
   describe "Dioptre.Math.Roots" Dioptre.Math.RootsSpec.spec
   describe "Dioptre.Math.Transform" Dioptre.Math.TransformSpec.spec

@@ -32,7 +32,7 @@ module Dioptre.Geometry.Cube
 where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Ordinal (finite)
+import Dioptre.Math.Order (finite)
 import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, alongX, alongY, alongZ, opposite)
 import GHC.Exts (build)

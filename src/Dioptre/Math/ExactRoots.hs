@@ -12,7 +12,8 @@ module Dioptre.Math.ExactRoots
 where
 
 import Data.Bits (shiftL)
-import Dioptre.Math.Ordinal (average, finite, ordinal, position)
+import Dioptre.Math.Order (finite, infinity)
+import Dioptre.Math.Ordinal (fromOrdinal, midpoint, toOrdinal)
 
 -- | The real roots of a polynomial with these coefficients, the leading one first, ascending, as often as their multiplicity: by the rule of "Dioptre.Math.Quartic", with exact signs, and with halving of the doubles that remain instead of Newton's
 -- method. Each simple root is the double nearest to it. Coefficients are finite, the first is not zero.
@@ -32,31 +33,31 @@ exactChain 0 _ = []
 exactChain n p = go (negate top) (signAt (negate top)) (zip3 criticals touching (zipWith3 counts (False : touching) criticals (drop 1 touching ++ [False])))
   where
     -- The place after the largest double: decodeFloat takes infinity for 2^1024.
-    top = position (1 / 0)
-    signAt = signum . evaluated p . dyadic . ordinal
+    top = toOrdinal infinity
+    signAt = signum . evaluated p . dyadic . fromOrdinal
     criticals = exactChain (n - 1) (zipWith (*) p (map toInteger [n, n - 1 .. 1]))
     touching = map (uncurry touches) criticals
     -- Given whether the neighbours touch. Between two that do, the polynomial rises or falls, so that not both can be roots: neither counts. One where it is zero exactly counts always, so that the signs that are left are not zero.
-    counts before (c, _) after = signAt (position c) == 0 || not (before || after)
+    counts before (c, _) after = signAt (toOrdinal c) == 0 || not (before || after)
     go i s [] = crossing i s top (signAt top)
     go i s (((c, m), touch, alone) : rest)
       | touch && alone = crossing i s j 0 ++ (c, m + 1) : go j 0 rest
       | otherwise = crossing i s j s' ++ go j s' rest
       where
-        j = position c
+        j = toOrdinal c
         s' = signAt j
     crossing i s j s'
       | s * s' < 0 = [(halved i s j, 1)]
       | otherwise = []
     halved i s j
-      | j <= i + 1 = if s * signum (evaluated p (halfway i j)) > 0 then ordinal j else ordinal i
-      | s' == 0 = ordinal k
+      | j <= i + 1 = if s * signum (evaluated p (halfway i j)) > 0 then fromOrdinal j else fromOrdinal i
+      | s' == 0 = fromOrdinal k
       | s' == s = halved k s j
       | otherwise = halved i s k
       where
-        k = average i j
+        k = midpoint i j
         s' = signAt k
-    halfway i j = let (x, k) = dyadic (ordinal i); (y, l) = dyadic (ordinal j); h = max k l in ((x `shiftL` (h - k)) + (y `shiftL` (h - l)), h + 1)
+    halfway i j = let (x, k) = dyadic (fromOrdinal i); (y, l) = dyadic (fromOrdinal j); h = max k l in ((x `shiftL` (h - k)) + (y `shiftL` (h - l)), h + 1)
     touches c m = v == 0 || (4 * v `shiftL` (25 * (m + 1)) <= 3 * term && v `shiftL` 50 <= sizes)
       where
         x = dyadic c

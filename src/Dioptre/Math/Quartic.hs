@@ -49,7 +49,8 @@ where
 import Data.Bits (shiftL, unsafeShiftR)
 import Dioptre.Math.ErrorFree (halves, productError, sumError)
 import Dioptre.Math.ExactRoots (exactRoots)
-import Dioptre.Math.Ordinal (average, finite, ordinal, position)
+import Dioptre.Math.Order (finite, larger, smaller)
+import Dioptre.Math.Ordinal (fromOrdinal, midpoint, toOrdinal)
 import Dioptre.Math.Roots (quadraticRoots)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
@@ -127,10 +128,6 @@ scaled solve a b c d e
     !lead = if a == 0 then b' else a'
     negligible x = x == 0 || abs x >= small * small * small * small
 {-# INLINE scaled #-}
-
-larger :: Double -> Double -> Double
-larger x y = if x > y then x else y
-{-# INLINE larger #-}
 
 -------------------------------------------------------------------------------
 -- Polynomials
@@ -328,10 +325,6 @@ between p@(Poly a b c _ d e) criticals = case criticals of
       | abs v < abs v' = x + sqrt (0.5 * abs v / (abs v + abs v')) * (y - x)
       | otherwise = y - sqrt (0.5 * abs v' / (abs v + abs v')) * (y - x)
 
-smaller :: Double -> Double -> Double
-smaller x y = if x < y then x else y
-{-# INLINE smaller #-}
-
 -- | The root between two places, at whose lower one the polynomial has the given sign, and the other sign at the upper one, by Newton's method from a
 -- guess, kept between them; or @nowhere@. See Note [Polishing].
 root :: Poly -> Double -> Double -> Double -> Double -> Double
@@ -364,7 +357,7 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
         !below = v * sign > 0
         !l' = if below then x else l
         !h' = if below then h else x
-        middle = if n < 20 then 0.5 * (l' + h') else ordinal (average (position l') (position h'))
+        middle = if n < 20 then 0.5 * (l' + h') else fromOrdinal (midpoint (toOrdinal l') (toOrdinal h'))
 {-# NOINLINE root #-}
 
 {- Note [Roots between critical points]

@@ -48,7 +48,7 @@ module Dioptre.Math.Roots
 where
 
 import Dioptre.Math.ErrorFree (halves, productError)
-import Dioptre.Math.Ordinal (finite)
+import Dioptre.Math.Order (finite)
 import GHC.Exts (build)
 
 -- | The root of @a x + b@, or none.

@@ -17,6 +17,7 @@ module Dioptre.Optics.Refraction
   )
 where
 
+import Dioptre.Math.Order (larger)
 import Dioptre.Math.Vector (Unit, Vector, dot, opposite, unit, vector, (*^))
 
 -- | The direction in which unit v goes on through a surface with unit normal N turned against it, from a medium of index n1 into
@@ -32,7 +33,7 @@ refracted v n n1 n2
     r = n1 / n2
     c = negate (dot v (vector n))
     -- Not total reflection, so this is negative by rounding only, at the critical angle.
-    across = let a = 1 - r * r * (1 - c * c) in if a > 0 then a else 0
+    across = larger (1 - r * r * (1 - c * c)) 0
 {-# INLINE refracted #-}
 
 -- | The same for any direction: v is made unit and the normal turned against it first; 'Nothing' for the zero vector too.
