@@ -44,6 +44,7 @@ import Dioptre.Geometry.Prepared (Prepared, ofSmoothTriangle, ofTriangle)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Triangle
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Vector (Vector, trustedUnit, unit, vector)
 import Linear.V2 (V2 (..))
@@ -206,7 +207,7 @@ closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = 
 
 -- | Whether a ray meets any triangle nearer than a bound, and how many were tried.
 anyTriangle :: PreparedMesh -> Ray -> Double -> (Bool, Int)
-anyTriangle m r !bound = case descend (preparedMeshHierarchy m) (approach r) (\answer -> if answer then -1 / 0 else bound) (anyInRange m seen r bound) False of
+anyTriangle m r !bound = case descend (preparedMeshHierarchy m) (approach r) (\answer -> if answer then negate infinity else bound) (anyInRange m seen r bound) False of
   Tried answer n -> (answer, n)
   where
     !seen = seenAlong r
