@@ -12,6 +12,7 @@ import qualified Dioptre.Command.NewSpec
 import qualified Dioptre.Conformance.CompareSpec
 import qualified Dioptre.Conformance.ExampleSpec
 import qualified Dioptre.Conformance.LinesSpec
+import qualified Dioptre.Conformance.OpticsSpec
 import qualified Dioptre.Conformance.OracleSpec
 import qualified Dioptre.Conformance.ProtocolSpec
 import qualified Dioptre.Conformance.RunnerSpec
@@ -141,6 +142,7 @@ specs = do
   describe "Dioptre.Conformance.Compare" Dioptre.Conformance.CompareSpec.spec
   describe "Dioptre.Conformance.Example" Dioptre.Conformance.ExampleSpec.spec
   describe "Dioptre.Conformance.Lines" Dioptre.Conformance.LinesSpec.spec
+  describe "Dioptre.Conformance.Optics" Dioptre.Conformance.OpticsSpec.spec
   describe "Dioptre.Conformance.Oracle" Dioptre.Conformance.OracleSpec.spec
   describe "Dioptre.Conformance.Protocol" Dioptre.Conformance.ProtocolSpec.spec
   describe "Dioptre.Conformance.Runner" Dioptre.Conformance.RunnerSpec.spec
