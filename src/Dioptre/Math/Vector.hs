@@ -9,7 +9,6 @@
 -- on them; this module names the part the tracer speaks, and adds what it says differently:
 --
 -- * 'unit' is there for every finite vector but zero (the library's @normalize@ leaves vectors shorter than 1e-6 as they are);
--- * 'mix' runs from its first argument to its second (the library's @lerp@ changed its direction between versions);
 -- * 'angle' keeps its accuracy for nearly parallel vectors.
 --
 -- The order of operations is part of each rule: with it every program that computes in binary64 gets the same bits.
@@ -23,7 +22,6 @@ module Dioptre.Math.Vector
     modulus,
     distance,
     angle,
-    mix,
     (*^),
     (^/),
 
@@ -129,14 +127,6 @@ angle a b
 -- | The vector times the power of two that brings its largest component to between 1\/2 and 1 in magnitude.
 nearOne :: Vector -> Vector
 nearOne v = scaleFloat (negate (exponent (maximum (abs <$> v)))) <$> v
-
--- | The point at fraction @t@ of the way from @a@ to @b@: (1 - t) a + t b, which is exact at both ends.
---
--- >>> mix (V3 0 0 0) (V3 2 4 8) 0.25
--- V3 0.5 1.0 2.0
-mix :: Vector -> Vector -> Double -> Vector
-mix a b t = (1 - t) *^ a + t *^ b
-{-# INLINE mix #-}
 
 -- | A vector of length 1, to rounding. The ways in are 'unit' and the three axes; what comes from these by 'opposite', and by 'packedUnit' and
 -- back; and 'trustedUnit', which believes its caller.
