@@ -33,8 +33,8 @@ operations =
       n <- field number o name
       if n > 0 then pure n else fail "a refractive index is greater than zero"
 
--- | The normal turned against a direction: -N where \<v, N> > 0, otherwise N. (A ray that runs along a surface has the other of the two for a
--- picture: 'Dioptre.Geometry.Prepared.shadingNormal'.)
+-- | The normal turned against a direction: -N where \<v, N> > 0, otherwise N. (A ray that runs along a surface has
+-- the other of the two for a picture: 'Dioptre.Geometry.Prepared.shadingNormal'.)
 against :: Unit -> Unit -> Unit
 against v n
   | dot (vector v) (vector n) > 0 = opposite n

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Math.ErrorFree
 -- Description : What rounding took, exactly
 --
--- The product of two doubles has up to 106 binary digits, of which rounding keeps the first 53. What it takes is a double too, and
--- can be had by plain arithmetic; so it is with sums. These are known as error-free transformations.
+-- The product of two doubles has up to 106 binary digits, of which rounding keeps the first 53. What it takes is a
+-- double too, and can be had by plain arithmetic; so it is with sums. These are known as error-free transformations.
 --
 -- >   x y    |<------------------- exactly -------------------->|
 -- >   z      |<--- x * y, rounded --->|
@@ -14,8 +14,8 @@
 -- Thus a sum of products can be told from zero, or computed with twice the digits: "Dioptre.Math.Roots" does it with a
 -- discriminant, "Dioptre.Math.Quartic" with a polynomial.
 --
--- All of this holds as long as nothing leaves the range: factors below 2^995, and products above 2^-968 or equal to zero. (The
--- last digits of a smaller product lie below the smallest double.) Those who use it see to that.
+-- All of this holds as long as nothing leaves the range: factors below 2^995, and products above 2^-968 or equal to
+-- zero. (The last digits of a smaller product lie below the smallest double.) Those who use it see to that.
 --
 -- Sources:
 --
@@ -47,8 +47,8 @@ halves x = Halves x1 (x - x1)
     !x1 = g - (g - x)
 {-# INLINE halves #-}
 
--- | What rounding took from a product: @productError x (halves y) (x * y)@ is the exact product less the rounded one. The second factor
--- is given by its halves, since one number is often multiplied by many.
+-- | What rounding took from a product: @productError x (halves y) (x * y)@ is the exact product less the rounded one.
+-- The second factor is given by its halves, since one number is often multiplied by many.
 --
 -- The products of the halves, which are exact, are subtracted from @z = x * y@, the largest first:
 -- @x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)@.
@@ -62,7 +62,8 @@ productError x (Halves y1 y2) z = x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1
     !(Halves x1 x2) = halves x
 {-# INLINE productError #-}
 
--- | What rounding took from a sum: @sumError x y (x + y)@ is the exact sum less the rounded one, whichever of the two is the larger.
+-- | What rounding took from a sum: @sumError x y (x + y)@ is the exact sum less the rounded one, whichever of the two
+-- is the larger.
 --
 -- >>> sumError 1 0x1p-60 (1 + 0x1p-60) == 0x1p-60
 -- True

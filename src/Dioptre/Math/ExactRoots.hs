@@ -4,11 +4,13 @@
 -- Module      : Dioptre.Math.ExactRoots
 -- Description : Real roots by whole numbers
 --
--- A double is a whole number times a power of two, and so is the value of a polynomial with such coefficients at such a place. Its sign
--- is certain, whatever the sizes. "Dioptre.Math.Quartic" turns to this where binary64 cannot tell, or does not reach.
+-- A double is a whole number times a power of two, and so is the value of a polynomial with such coefficients at such
+-- a place. Its sign is certain, whatever the sizes. "Dioptre.Math.Quartic" turns to this where binary64 cannot tell,
+-- or does not reach.
 --
--- The way is the same as there, written down plainly: between two neighbouring zeros of its derivative a polynomial only rises or only falls,
--- so that the signs at the two tell whether it has a root between them. A cubic, worked through:
+-- The way is the same as there, written down plainly: between two neighbouring zeros of its derivative a polynomial
+-- only rises or only falls, so that the signs at the two tell whether it has a root between them. A cubic, worked
+-- through:
 --
 -- > p = x^3 - 3 x + 2,  p' = 3 x^2 - 3,  p'' = 6 x
 -- >
@@ -30,9 +32,9 @@ import Dioptre.Math.Order (finite, infinity)
 import Dioptre.Math.Ordinal (fromOrdinal, midpoint, toOrdinal)
 import Dioptre.Math.Touching (mergingBits, residualBits)
 
--- | The real roots of a polynomial with these coefficients, the leading one first, ascending, as often as their multiplicity: with exact
--- signs, and by the rule of "Dioptre.Math.Touching" where they nearly touch. Each simple root is the double nearest to it. Coefficients are
--- finite, the first is not zero.
+-- | The real roots of a polynomial with these coefficients, the leading one first, ascending, as often as their
+-- multiplicity: with exact signs, and by the rule of "Dioptre.Math.Touching" where they nearly touch. Each simple
+-- root is the double nearest to it. Coefficients are finite, the first is not zero.
 --
 -- >>> exactRoots [1, 0, -3, 2]
 -- [-2.0,1.0,1.0]
@@ -48,7 +50,8 @@ exactRoots coefficients = filter finite (concat [replicate m x | Zero x m <- zer
 -- | A zero of a polynomial: the double there, or nearest to it, and its multiplicity.
 data Zero = Zero !Double !Int
 
--- | A place on the line, by the number of its double; the sign of the polynomial there, and the zero that it has there, if it does. Then the sign is 0.
+-- | A place on the line, by the number of its double; the sign of the polynomial there, and the zero that it has
+-- there, if it does. Then the sign is 0.
 data Mark = Mark !Int !Integer ![Zero]
 
 -- | The zeros of a polynomial, ascending, from those of its derivative.
@@ -67,8 +70,8 @@ zeros p
 between :: Polynomial -> Mark -> Mark -> [Zero]
 between p (Mark low s _) (Mark high s' _) = [Zero (halved p s low high) 1 | s * s' < 0]
 
--- | The double nearest to the only zero between two places, given the sign at the lower one. The doubles between are halved until none is left; then
--- the sign half way between the two tells which is nearer.
+-- | The double nearest to the only zero between two places, given the sign at the lower one. The doubles between are
+-- halved until none is left; then the sign half way between the two tells which is nearer.
 halved :: Polynomial -> Integer -> Int -> Int -> Double
 halved p s = go
   where
@@ -87,8 +90,8 @@ marked :: Polynomial -> [Zero] -> [Mark]
 marked p criticals = zipWith3 mark criticals touching (zipWith (||) (False : touching) (drop 1 touching ++ [False]))
   where
     touching = map (touches p) criticals
-    -- Between two that touch the polynomial rises or falls, so that not both can be zeros: neither counts. One where it is zero exactly counts always,
-    -- so that the signs that are left are not zero.
+    -- Between two that touch the polynomial rises or falls, so that not both can be zeros: neither counts. One where
+    -- it is zero exactly counts always, so that the signs that are left are not zero.
     mark (Zero c m) touch nextToOne
       | s == 0 || (touch && not nextToOne) = Mark place 0 [Zero c (m + 1)]
       | otherwise = Mark place s []
@@ -96,8 +99,9 @@ marked p criticals = zipWith3 mark criticals touching (zipWith (||) (False : tou
         place = toOrdinal c
         s = signAt p place
 
--- | Whether a polynomial counts as zero at a zero c of its derivative, of multiplicity m, as far as that zero alone can tell: Note [Roots that touch] of
--- "Dioptre.Math.Touching". All numbers are multiplied by the same power of two here.
+-- | Whether a polynomial counts as zero at a zero c of its derivative, of multiplicity m, as far as that zero alone
+-- can tell: Note [Roots that touch] of "Dioptre.Math.Touching". All numbers are multiplied by the same power of two
+-- here.
 touches :: Polynomial -> Zero -> Bool
 touches p (Zero c m) = closeInPlace && smallInValue
   where

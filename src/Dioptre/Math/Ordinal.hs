@@ -2,8 +2,9 @@
 -- Module      : Dioptre.Math.Ordinal
 -- Description : Doubles, counted
 --
--- The bits of a double that is not negative, read as a whole number, count the doubles from zero up: so those between two of them can be
--- halved, and halved again, until none is left; and how far two of them are from each other can be said in doubles.
+-- The bits of a double that is not negative, read as a whole number, count the doubles from zero up: so those between
+-- two of them can be halved, and halved again, until none is left; and how far two of them are from each other can be
+-- said in doubles.
 --
 -- >   -2   -5e-324   0   5e-324   1    2     ...     1 / 0          the double
 -- >   --|------|-----|------|-----|----|---- ... ------|------
@@ -20,8 +21,8 @@ where
 import Data.Bits (unsafeShiftR, xor, (.&.))
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
--- | The number of a double, when they are counted from zero upwards and downwards; 0 for @-0@ too. (NaN has a number beyond that of infinity, which
--- means nothing.)
+-- | The number of a double, when they are counted from zero upwards and downwards; 0 for @-0@ too. (NaN has a number
+-- beyond that of infinity, which means nothing.)
 --
 -- Law: it keeps the order.
 toOrdinal :: Double -> Int

@@ -237,7 +237,8 @@ cubic _ a b c d = between (Poly 0 a b 0 c d) (square a3 (sumError (2 * a) a a3) 
   where
     !a3 = 2 * a + a
 
--- | The roots of (a + a') x^2 + (b + b') x + c, to a few ulp; those closer than 2^-24 of their size are one, by the rule of "Dioptre.Math.Touching".
+-- | The roots of (a + a') x^2 + (b + b') x + c, to a few ulp; those closer than 2^-24 of their size are one, by the
+-- rule of "Dioptre.Math.Touching".
 square :: Double -> Double -> Double -> Double -> Double -> Chain
 square a a' b b' c
   | d > 0.125 * w = two d

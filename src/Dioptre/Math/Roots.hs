@@ -251,12 +251,13 @@ pair larger smaller
 
 {- Note [Literals]
    ~~~~~~~~~~~~~~~
-A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time, wherever it is
-looked at, lest an exponent of a thousand million keep the compiler busy: it costs a hundred times as much as what it is compared
-with. A product of smaller literals is computed by the compiler, exactly, and rounded once.
+A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time,
+wherever it is looked at, lest an exponent of a thousand million keep the compiler busy: it costs a hundred times as
+much as what it is compared with. A product of smaller literals is computed by the compiler, exactly, and rounded
+once.
 
-Every other literal is a double in the program, be it decimal or hexadecimal, written here or named in another module, and so is 1 + x for
-such an x. Only infinity has none: 1 / 0 is divided once when the program runs, and looked up.
+Every other literal is a double in the program, be it decimal or hexadecimal, written here or named in another module,
+and so is 1 + x for such an x. Only infinity has none: 1 / 0 is divided when the program runs.
 -}
 
 {- Note [The sign of the discriminant]

@@ -80,8 +80,8 @@ endThickness = 1e-10
 rimOverlap :: Double
 rimOverlap = 0x1p-49
 
--- | A place of an elliptical opening may be outside of the ellipse by this part: the places at the ends of its axes belong to it, and are
--- computed with a few roundings.
+-- | A place of an elliptical opening may be outside of the ellipse by this part: the places at the ends of its axes
+-- belong to it, and are computed with a few roundings.
 ellipseRim :: Double
 ellipseRim = 1e-10
 
@@ -94,21 +94,22 @@ boxGrowth = 0x1p-20
 cornerSlack :: Double
 cornerSlack = 0x1p-48
 
--- | The parameters at which a ray leaves a box, and the one up to which it is asked for, are larger by this part: 2^-50, which is 8 roundings.
--- (Note [Slack of the slabs] of "Dioptre.Geometry.Bounds".)
+-- | The parameters at which a ray leaves a box, and the one up to which it is asked for, are larger by this part:
+-- 2^-50, which is 8 roundings. (Note [Slack of the slabs] of "Dioptre.Geometry.Bounds".)
 slabSlack :: Double
 slabSlack = 0x1p-50
 
--- | What is met at the very parameter of what is closest so far is asked for by a bound that is larger by this part: 2^-51, two to four
--- doubles on. Which of the two it is, is decided exactly ("Dioptre.Geometry.Closest").
+-- | What is met at the very parameter of what is closest so far is asked for by a bound that is larger by this part:
+-- 2^-51, two to four doubles on. Which of the two it is, is decided exactly ("Dioptre.Geometry.Closest").
 boundSlack :: Double
 boundSlack = 0x1p-51
 
--- | A line may pass beside the sphere around a torus by this part of the squared radius, 2^-40, before its quartic is left unasked.
+-- | A line may pass beside the sphere around a torus by this part of the squared radius, 2^-40, before its quartic is
+-- left unasked.
 torusSlack :: Double
 torusSlack = 0x1p-40
 
--- | A triangle whose edges enclose an angle with a smaller sine than this, 2^-10, is a needle, whose coordinates come from another formula. (Note
--- [Needles] of "Dioptre.Geometry.Triangle".)
+-- | A triangle whose edges enclose an angle with a smaller sine than this, 2^-10, is a needle, whose coordinates come
+-- from another formula. (Note [Needles] of "Dioptre.Geometry.Triangle".)
 needleSine :: Double
 needleSine = 0x1p-10

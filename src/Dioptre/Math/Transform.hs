@@ -162,8 +162,9 @@ transformDirection :: Placement -> Vector -> Vector
 transformDirection (Placement lx ly lz _ _ _ _) = rows lx ly lz
 {-# INLINE transformDirection #-}
 
--- | What becomes of the normal of a surface: (L^-1)^T n, made unit. A mirroring transformation (a negative factor) keeps it on its side of the surface:
--- outward normals stay outward. (The matrix can be undone, so that the product is not zero, unless it underflows: then nothing is turned.)
+-- | What becomes of the normal of a surface: (L^-1)^T n, made unit. A mirroring transformation (a negative factor)
+-- keeps it on its side of the surface: outward normals stay outward. (The matrix can be undone, so that the product
+-- is not zero, unless it underflows: then nothing is turned.)
 --
 -- Law: it is orthogonal to the image of every direction that n is orthogonal to.
 transformNormal :: Placement -> Unit -> Unit

@@ -128,15 +128,15 @@ angle a b
 nearOne :: Vector -> Vector
 nearOne v = scaleFloat (negate (exponent (maximum (abs <$> v)))) <$> v
 
--- | A vector of length 1, to rounding. The ways in are 'unit' and the three axes; what comes from these by 'opposite', and by 'packedUnit' and
--- back; and 'trustedUnit', which believes its caller.
+-- | A vector of length 1, to rounding. The ways in are 'unit' and the three axes; what comes from these by
+-- 'opposite', and by 'packedUnit' and back; and 'trustedUnit', which believes its caller.
 --
 -- Law: 'valid'.
 newtype Unit = Unit Vector
   deriving stock (Eq, Show)
 
--- | The vector divided by its length, component by component; 'Nothing' for the zero vector, and for one with an infinite component or
--- NaN, which has no direction; for no other.
+-- | The vector divided by its length, component by component; 'Nothing' for the zero vector, and for one with an
+-- infinite component or NaN, which has no direction; for no other.
 --
 -- A vector so short or so long that its quadrance would leave the normal range is first scaled by a power of two,
 -- which changes no digit. Law: the result's length differs from 1 by less than 4 units of rounding.
@@ -216,7 +216,8 @@ unpackedUnit :: PackedUnit -> Unit
 unpackedUnit (PackedUnit p) = Unit (unpacked p)
 {-# INLINE unpackedUnit #-}
 
--- | The unit vector with these three numbers, which nobody checks: for those of a 'Unit' that was stored as numbers, among many of its kind in one array.
+-- | The unit vector with these three numbers, which nobody checks: for those of a 'Unit' that was stored as numbers,
+-- among many of its kind in one array.
 trustedUnit :: Vector -> Unit
 trustedUnit = Unit
 {-# INLINE trustedUnit #-}

@@ -16,7 +16,8 @@ import Dioptre.Math.ErrorFree (halves, productError, sumError)
 import Laws.Draw
 import Test.QuickCheck
 
--- | Two numbers of many sizes, whose product and sum are in the range of the laws; zeros, powers of two, and numbers that nearly cancel are frequent.
+-- | Two numbers of many sizes, whose product and sum are in the range of the laws; zeros, powers of two, and numbers
+-- that nearly cancel are frequent.
 data Pair = Pair Double Double
   deriving (Eq, Show)
 

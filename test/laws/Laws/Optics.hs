@@ -279,8 +279,8 @@ equalIndicesChangeNothing (Incidence v n index _) = refracted (vector v) n index
 -------------------------------------------------------------------------------
 -- Either side
 
--- | A normal that is turned against a direction is so, is one of the two of its line, and is the same whichever of them was turned; unless the direction runs
--- along the surface, where it is left as it is.
+-- | A normal that is turned against a direction is so, is one of the two of its line, and is the same whichever of
+-- them was turned; unless the direction runs along the surface, where it is left as it is.
 normalIsTurned :: Oblique -> Property
 normalIsTurned (Oblique v n)
   | along' n == 0 = against u n === n

@@ -61,7 +61,8 @@ largerIsTheLarger (Special x) (Special y) = not (isNaN x || isNaN y) ==> let z =
 smallerIsTheSmaller :: Special -> Special -> Property
 smallerIsTheSmaller (Special x) (Special y) = not (isNaN x || isNaN y) ==> let z = smaller x y in z `elem` [x, y] .&&. z <= x .&&. z <= y
 
--- | Where the first is no larger (or no smaller), be it equal or NaN, or the second be NaN, it is the second, to the bit.
+-- | Where the first is no larger (or no smaller), be it equal or NaN, or the second be NaN, it is the second, to the
+-- bit.
 theSecondStays :: Special -> Special -> Property
 theSecondStays (Special x) (Special y) = conjoin ([bits (larger x y) === bits y | not (x > y)] ++ [bits (smaller x y) === bits y | not (x < y)])
 
@@ -94,7 +95,8 @@ numbers = oneof [choose (negate most, most), choose (-3, 3), (most -) <$> choose
   where
     most = toOrdinal infinity
 
--- | There is no double between those of two neighbouring numbers: half way between them, exactly, is rounded to one of them.
+-- | There is no double between those of two neighbouring numbers: half way between them, exactly, is rounded to one
+-- of them.
 neighboursAreNext :: Property
 neighboursAreNext = forAll (numbers `suchThat` (\i -> all (finite . fromOrdinal) [i, i + 1])) $ \i ->
   let x = fromOrdinal i

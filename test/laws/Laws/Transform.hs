@@ -118,7 +118,8 @@ normalsStayNormal (Drawn t) = forAll aUnit $ \n -> forAll aUnit $ \e ->
           && abs (dot (vector n') (transformDirection m along)) <= rounding * maximum (abs <$> transformScale t)
           && dot (vector n') (transformDirection m (vector n)) > 0
 
--- | A transformed normal carried back, by L^T, is the normal, but for rounding stretched by the ratio of the scale factors.
+-- | A transformed normal carried back, by L^T, is the normal, but for rounding stretched by the ratio of the scale
+-- factors.
 normalsComeBack :: Drawn -> Property
 normalsComeBack (Drawn t) = forAll aUnit $ \n ->
   let m = placement t
