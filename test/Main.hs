@@ -12,6 +12,7 @@ import qualified Dioptre.Command.NewSpec
 import qualified Dioptre.Conformance.CompareSpec
 import qualified Dioptre.Conformance.ExampleSpec
 import qualified Dioptre.Conformance.LinesSpec
+import qualified Dioptre.Conformance.OpticsSpec
 import qualified Dioptre.Conformance.OracleSpec
 import qualified Dioptre.Conformance.ProtocolSpec
 import qualified Dioptre.Conformance.RunnerSpec
@@ -59,6 +60,9 @@ import qualified Dioptre.Light.MaterialSpec
 import qualified Dioptre.Light.WaveSpec
 import qualified Dioptre.Light.WavelengthSpec
 import qualified Dioptre.LoadSpec
+import qualified Dioptre.Math.ErrorFreeSpec
+import qualified Dioptre.Math.OrderSpec
+import qualified Dioptre.Math.OrdinalSpec
 import qualified Dioptre.Math.QuarticSpec
 import qualified Dioptre.Math.RootsSpec
 import qualified Dioptre.Math.TransformSpec
@@ -139,6 +143,7 @@ specs = do
   describe "Dioptre.Conformance.Compare" Dioptre.Conformance.CompareSpec.spec
   describe "Dioptre.Conformance.Example" Dioptre.Conformance.ExampleSpec.spec
   describe "Dioptre.Conformance.Lines" Dioptre.Conformance.LinesSpec.spec
+  describe "Dioptre.Conformance.Optics" Dioptre.Conformance.OpticsSpec.spec
   describe "Dioptre.Conformance.Oracle" Dioptre.Conformance.OracleSpec.spec
   describe "Dioptre.Conformance.Protocol" Dioptre.Conformance.ProtocolSpec.spec
   describe "Dioptre.Conformance.Runner" Dioptre.Conformance.RunnerSpec.spec
@@ -186,6 +191,9 @@ specs = do
   describe "Dioptre.Light.Wave" Dioptre.Light.WaveSpec.spec
   describe "Dioptre.Light.Wavelength" Dioptre.Light.WavelengthSpec.spec
   describe "Dioptre.Load" Dioptre.LoadSpec.spec
+  describe "Dioptre.Math.ErrorFree" Dioptre.Math.ErrorFreeSpec.spec
+  describe "Dioptre.Math.Order" Dioptre.Math.OrderSpec.spec
+  describe "Dioptre.Math.Ordinal" Dioptre.Math.OrdinalSpec.spec
   describe "Dioptre.Math.Quartic" Dioptre.Math.QuarticSpec.spec
   describe "Dioptre.Math.Roots" Dioptre.Math.RootsSpec.spec
   describe "Dioptre.Math.Transform" Dioptre.Math.TransformSpec.spec

@@ -44,7 +44,7 @@ spec = do
   -- Note [Literals] of "Dioptre.Math.Roots"
   it "has no number that GHC makes at run time" $ do
     literals "x > 1e-280 && 0x1p-400 < y || z == 1.5e100 || e128 -- 1e300" `shouldBe` [-280, -400, 100]
-    folders <- mapM (sources . ("src/Dioptre" </>)) ["Math", "Geometry", "Light", "Optics", "Picture", "Render"]
+    folders <- mapM (sources . ("src/Dioptre" </>)) ["Math", "Geometry", "Optics", "Light", "Picture", "Render"]
     found <- forM (concat folders) $ \path -> (\text -> [(path, e) | e <- concatMap literals (lines text), abs e > 100]) <$> readFile path
     concat found `shouldBe` []
 
@@ -70,7 +70,7 @@ literals line = concatMap exponentOf (numerals (code line))
 
 -- | The stages, in the order in which a scene passes through them.
 stages :: [String]
-stages = ["Source", "Syntax", "Math", "Geometry", "Light", "Optics", "Scene", "Model", "Picture", "Render", "Explain", "Files", "Load", "View", "Conformance", "Command"]
+stages = ["Source", "Syntax", "Math", "Geometry", "Optics", "Light", "Scene", "Model", "Picture", "Render", "Explain", "Files", "Load", "View", "Conformance", "Command"]
 
 -- | The number of a module's stage. The façade comes after all of them.
 stageOf :: String -> Maybe Int

@@ -30,7 +30,6 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Base64 as Base64
 import Data.Either (rights)
 import Data.Foldable (toList)
-import Data.Int (Int64)
 import Data.List (sort, sortOn)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
@@ -39,8 +38,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Dioptre.Conformance.Protocol (binary64)
+import Dioptre.Math.Ordinal (toOrdinal)
 import Dioptre.Syntax.Value (integer, real)
-import GHC.Float (castDoubleToWord64)
 
 -- $setup
 -- >>> :set -XOverloadedStrings
@@ -129,18 +128,10 @@ differs place how expected got = case (expected, got) of
 -- | Whether a number may stand for the expected one, which comes first.
 near :: Comparison -> Double -> Double -> Bool
 near how e x = case how of
-  Ulp n -> abs (toInteger (rank e) - toInteger (rank x)) <= toInteger n
+  Ulp n -> abs (toInteger (toOrdinal e) - toInteger (toOrdinal x)) <= toInteger n
   Absolute tolerance -> abs (x - e) <= tolerance
   Relative tolerance -> abs (x - e) <= tolerance * abs e
   _ -> e == x
-
--- | The number of a binary64 in the row of them all, 0 for zero.
-rank :: Double -> Int64
-rank x
-  | bits < 0 = minBound - bits
-  | otherwise = bits
-  where
-    bits = fromIntegral (castDoubleToWord64 x)
 
 sameBytes :: Int -> Text -> Text -> Bool
 sameBytes n e x = case rights (map (Base64.decode . Text.encodeUtf8) [e, x]) of

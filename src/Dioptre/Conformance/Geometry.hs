@@ -33,6 +33,7 @@ import Dioptre.Geometry.Sphere (sphereParameters)
 import Dioptre.Geometry.Torus (torusParameters)
 import Dioptre.Geometry.Triangle (Corners (..), barycentric, triangle)
 import Dioptre.Geometry.Tube (tubeLineParameters)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Vector (Point, Unit, unit)
 import qualified Dioptre.Math.Vector as Vector
 
@@ -88,7 +89,7 @@ hit s r
     uv <- reals (toList (textureAt s r t))
     pure (object ["t" .= t', "point" .= point, "normal" .= normal, "uv" .= uv])
   where
-    t = nearest s r (1 / 0)
+    t = nearest s r infinity
 
 -- | The coordinates (t1, t2) of a point in a triangle's plane; a point beside the plane has those of its projection.
 barycentricOf :: Operation

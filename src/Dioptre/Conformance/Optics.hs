@@ -7,24 +7,35 @@
 -- "Dioptre.Optics.Reflection" and "Dioptre.Optics.Refraction". The direction is made unit, and the normal made unit and turned against it.
 module Dioptre.Conformance.Optics
   ( operations,
+    against,
   )
 where
 
 import Data.Aeson (Value (Null))
 import Data.Text (Text)
 import Dioptre.Conformance.Parameter (Operation, field, number, ofVector, unitVector)
-import Dioptre.Math.Vector (vector)
-import Dioptre.Optics.Reflection (reflect)
-import Dioptre.Optics.Refraction (refract)
+import Dioptre.Math.Vector (Unit, dot, opposite, vector)
+import Dioptre.Optics.Reflection (reflected)
+import Dioptre.Optics.Refraction (refracted)
 
 -- | By their names. The result of @optics.refract@ is null where all is reflected.
 operations :: [(Text, Operation)]
 operations =
-  [ ("optics.reflect", \o -> do v <- travelling o; n <- field unitVector o "normal"; maybe (fail "there is no direction") ofVector (reflect v n)),
-    ("optics.refract", \o -> do v <- travelling o; n <- field unitVector o "normal"; n1 <- index o "n1"; n2 <- index o "n2"; maybe (pure Null) ofVector (refract v n n1 n2))
+  [ ("optics.reflect", \o -> do (v, n) <- meeting o; ofVector (reflected (vector v) n)),
+    ("optics.refract", \o -> do (v, n) <- meeting o; n1 <- index o "n1"; n2 <- index o "n2"; maybe (pure Null) ofVector (refracted (vector v) n n1 n2))
   ]
   where
-    travelling o = vector <$> field unitVector o "direction"
+    meeting o = do
+      v <- field unitVector o "direction"
+      n <- field unitVector o "normal"
+      pure (v, against v n)
     index o name = do
       n <- field number o name
       if n > 0 then pure n else fail "a refractive index is greater than zero"
+
+-- | The normal turned against a direction: -N where \<v, N> > 0, otherwise N. (A ray that runs along a surface has
+-- the other of the two for a picture: 'Dioptre.Geometry.Prepared.shadingNormal'.)
+against :: Unit -> Unit -> Unit
+against v n
+  | dot (vector v) (vector n) > 0 = opposite n
+  | otherwise = n

@@ -37,6 +37,7 @@ import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Torus (torusParameters)
 import Dioptre.Geometry.Triangle (Corners (..), barycentric, smoothTriangleFlat, triangleNormal, trianglePoints)
 import Dioptre.Geometry.Tube (across, tubeLineParameters)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, modulus, quadrance, unit, vector, (*^), (^/))
@@ -176,7 +177,7 @@ conditionsOf shape r = case shape of
             shift = negate (dot p d / dot d d)
             roots = sphereOver q radius m (p + shift *^ d) d
 
-    capConditions centre n radius c = (Just (t0, 1), [overDisk TheSphere (vector n) radius m p roots 0], [Candidate (t0 + x) 0 SideOfDisk | abs t0 < 1 / 0, x <- roots])
+    capConditions centre n radius c = (Just (t0, 1), [overDisk TheSphere (vector n) radius m p roots 0], [Candidate (t0 + x) 0 SideOfDisk | abs t0 < infinity, x <- roots])
       where
         m = centreDepth radius c
         far = origin r - centre

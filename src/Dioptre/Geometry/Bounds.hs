@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -73,6 +72,8 @@ import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
+import Dioptre.Math.Order (larger, smaller)
+import Dioptre.Math.Tolerance (boxGrowth, cornerSlack, slabSlack)
 import Dioptre.Math.Transform (Placement, placement, transformPosition)
 import Dioptre.Math.Vector (Packed, Point, Unit, packed, unit, unpacked, vector, (*^))
 import Linear.V3 (V3 (..))
@@ -117,7 +118,7 @@ boxArea b = 2 * ((x * y + y * z) + z * x)
 --
 -- Laws: commutative, associative, idempotent; it holds what either holds.
 union :: Box -> Box -> Box
-union a b = spanned (lower <$> boxLow a <*> boxLow b) (upper <$> boxHigh a <*> boxHigh b)
+union a b = spanned (smaller <$> boxLow b <*> boxLow a) (larger <$> boxHigh b <*> boxHigh a)
 {-# INLINE union #-}
 
 -- | The least box that holds a point and others.
@@ -128,12 +129,6 @@ ofPoints p = foldl' (\b q -> b `union` spanned q q) (spanned p p)
 spanned :: Point -> Point -> Box
 spanned low high = Box (packed low) (packed high)
 {-# INLINE spanned #-}
-
-lower, upper :: Double -> Double -> Double
-lower x y = if y < x then y else x
-upper x y = if y > x then y else x
-{-# INLINE lower #-}
-{-# INLINE upper #-}
 
 -- | A box that holds what becomes of a box: around its eight corners, and a little larger.
 transformed :: Placement -> Box -> Box
@@ -149,7 +144,8 @@ transformed m b = enlarged (ofPoints (corner V3 boxLow boxLow boxLow) [corner V3
 enlarged :: Box -> Box
 enlarged b = spanned (subtract slack <$> boxLow b) ((+ slack) <$> boxHigh b)
   where
-    slack = 0x1p-20 * foldr upper 0 (boxHigh b - boxLow b) + 0x1p-48 * foldr (upper . abs) (foldr (upper . abs) 0 (boxLow b)) (boxHigh b)
+    slack = boxGrowth * foldr largest 0 (boxHigh b - boxLow b) + cornerSlack * foldr largest (foldr largest 0 (boxLow b)) (boxHigh b)
+    largest = flip larger . abs
 
 -------------------------------------------------------------------------------
 -- Boxes of shapes
@@ -160,7 +156,7 @@ around p extent = spanned (p - extent) (p + extent)
 
 -- | How far a disk reaches from its centre along each axis: R sqrt (1 - n_i^2). (The axis less its part along n has that length, and points to the farthest point.)
 reach :: Unit -> Double -> V3 Double
-reach n radius = (\c -> radius * sqrt (upper 0 ((1 - c) * (1 + c)))) <$> vector n
+reach n radius = (\c -> radius * sqrt (larger ((1 - c) * (1 + c)) 0)) <$> vector n
 
 -- | The box of a shape; 'Nothing' for a plane, which has no end.
 ofShape :: Shape -> Maybe Box
@@ -228,7 +224,7 @@ ofLens p1 p2 radius (c1, c2) = case unit (p2 - p1) of
   Just s -> ofTube (p1 - bulge c1 *^ vector s) (p2 + bulge c2 *^ vector s) radius
   Nothing -> ofTube p1 p2 radius
   where
-    bulge c = upper 0 (faceDepth radius c)
+    bulge c = larger (faceDepth radius c) 0
 
 -------------------------------------------------------------------------------
 -- Rays
@@ -244,7 +240,7 @@ approach r = Approach (packed (origin r)) (packed i) (packed (wider <$> i)) (fac
   where
     i@(V3 ix iy iz) = recip <$> direction r
     wider :: Double -> Double
-    wider c = c * 0x1.0000000000004p0
+    wider c = c * (1 + slabSlack)
     face :: Int -> Double -> Int
     face k c = if c >= 0 then k else k + 3
 {-# INLINE approach #-}
@@ -280,7 +276,7 @@ meets (Approach o i j fx fy fz) face !far
     !leaveY = (face (5 - fy) - oy) * jy
     !enterZ = (face fz - oz) * iz
     !leaveZ = (face (7 - fz) - oz) * jz
-    !bound = far * 0x1.0000000000004p0
+    !bound = far * (1 + slabSlack)
 {-# INLINE meets #-}
 
 -- | The six numbers of a box: low x, y, z, high x, y, z, by their places from 0 to 5.

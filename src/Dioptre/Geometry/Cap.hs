@@ -31,6 +31,7 @@ where
 
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
 
@@ -61,7 +62,7 @@ beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
 -- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
 capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 capParameters centre normal radius c r =
-  [t0 + t | abs t0 < 1 / 0, t <- sphereOver n radius (centreDepth radius c) p d, signum c * dot (p + t *^ d) n >= 0]
+  [t0 + t | abs t0 < infinity, t <- sphereOver n radius (centreDepth radius c) p d, signum c * dot (p + t *^ d) n >= 0]
   where
     n = vector normal
     d = direction r

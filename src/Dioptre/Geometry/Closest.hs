@@ -17,6 +17,8 @@ module Dioptre.Geometry.Closest
   )
 where
 
+import Dioptre.Math.Tolerance (boundSlack)
+
 -- | What was met first among the shapes that were tried. The plain three numbers stay in registers while shapes are tried.
 data Closest = Closest
   { -- | The parameter; the bound that was set where nothing is met below it.
@@ -41,9 +43,9 @@ within :: Closest -> Double
 within c = slightlyBeyond (closestParameter c)
 {-# INLINE within #-}
 
--- | A parameter a little above: two to four doubles on. (2^-51, in decimal, since GHC 9.0 leaves a hexadecimal one to the run-time.)
+-- | A parameter a little above, by 'boundSlack': two to four doubles on.
 slightlyBeyond :: Double -> Double
-slightlyBeyond t = t * (1 + 4.440892098500626e-16)
+slightlyBeyond t = t * (1 + boundSlack)
 {-# INLINE slightlyBeyond #-}
 
 -- | Offers a shape's number and the parameter at which it is met. It is taken if that is nearer, or if it is as near and the number is lower.

@@ -45,6 +45,7 @@ import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Cylinder (Interval (..), everywhere, nowhere, shared, slab)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, cross, dot, modulus, opposite, unit, vector, (*^))
@@ -65,7 +66,7 @@ coneParameters p1 s h radius r = build $ \cons nil ->
       !enter = t0 + first
       !leave = t0 + final
       !inside = leave - enter
-   in if first <= final && inside < 1 / 0 then cons enter (cons leave nil) else nil
+   in if first <= final && inside < infinity then cons enter (cons leave nil) else nil
 {-# INLINE coneParameters #-}
 
 -- | The parameter t0 of the line's point nearest to the apex and, counted from there, where the line is in the cone before the apex and
@@ -105,8 +106,6 @@ half a b c da = case quadraticRoots a b c of
   _
     | a < 0 || (a == 0 && b == 0 && c <= 0) -> everywhere
     | otherwise -> nowhere
-  where
-    infinity = 1 / 0
 {-# INLINE half #-}
 
 -- | The outward unit normal where a ray meets the cone, at a parameter that 'coneParameters' gave: -S on the base; on the curved part

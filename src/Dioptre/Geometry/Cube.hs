@@ -33,7 +33,7 @@ module Dioptre.Geometry.Cube
 where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Ordinal (finite)
+import Dioptre.Math.Order (finite, infinity, larger, smaller)
 import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, alongX, alongY, alongZ, opposite)
 import GHC.Exts (build)
@@ -90,16 +90,6 @@ slab low high o d
   | low <= o && o <= high = Slab (negate infinity) infinity
   | otherwise = Slab infinity (negate infinity)
 {-# INLINE slab #-}
-
-larger, smaller :: Double -> Double -> Double
-larger a b = if a > b then a else b
-smaller a b = if a < b then a else b
-{-# INLINE larger #-}
-{-# INLINE smaller #-}
-
-infinity :: Double
-infinity = 1 / 0
-{-# INLINE infinity #-}
 
 -- | The outward normal of the face that a ray crosses at a parameter that 'cubeParameters' gave. On an edge, where it crosses
 -- several at once, it is the first one's in the order +z -z +y -y +x -x.

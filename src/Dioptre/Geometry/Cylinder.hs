@@ -32,6 +32,7 @@ where
 
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across, tubeNormal)
+import Dioptre.Math.Order (infinity, larger, smaller)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector)
@@ -47,13 +48,9 @@ nowhere = Interval infinity (negate infinity)
 {-# INLINE everywhere #-}
 {-# INLINE nowhere #-}
 
-infinity :: Double
-infinity = 1 / 0
-{-# INLINE infinity #-}
-
 -- | What two intervals share: from the last entry to the first exit.
 shared :: Interval -> Interval -> Interval
-shared (Interval a b) (Interval c d) = Interval (if a > c then a else c) (if b < d then b else d)
+shared (Interval a b) (Interval c d) = Interval (larger a c) (smaller b d)
 {-# INLINE shared #-}
 
 -- | Where the height h0 + t dh is from low to high. A line along the slab is in it everywhere or nowhere, and in it when it lies in an end plane.

@@ -47,6 +47,7 @@ import Data.Primitive.PrimArray
 import Data.Word (Word64)
 import Dioptre.Geometry.Bounds (Approach, Box, box, boxHigh, boxLow, meets, runsDown)
 import Dioptre.Geometry.Partition
+import Dioptre.Math.Order (infinity)
 import Linear.V3 (V3 (..))
 
 -- | Boxes in boxes over items that are known by their numbers, from 0 up.
@@ -152,12 +153,12 @@ hierarchy n boxOf
     unbounded = filterPrimArray (not . hasBox) everything
     everything = generatePrimArray n id
     -- Where there is no box, the six numbers are zero but for the first, which is infinite.
-    hasBox i = indexPrimArray boxes (6 * i) < 1 / 0
+    hasBox i = indexPrimArray boxes (6 * i) < infinity
     boxes = runPrimArray $ do
       target <- newPrimArray (6 * n)
       let fill !i = when (i < n) $ do
             case boxOf i of
-              Nothing -> writePrimArray target (6 * i) (1 / 0) >> setPrimArray target (6 * i + 1) 5 0
+              Nothing -> writePrimArray target (6 * i) infinity >> setPrimArray target (6 * i + 1) 5 0
               Just b -> case (boxLow b, boxHigh b) of
                 (V3 lx ly lz, V3 hx hy hz) -> do
                   writePrimArray target (6 * i) lx

@@ -46,6 +46,7 @@ import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, sphereOver)
 import Dioptre.Geometry.Cylinder (Interval (..), bar, everywhere, nowhere, shared)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across, tubeNormal)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Tolerance (rimOverlap, roundThickness, surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector, (*^))
 import GHC.Exts (build)
@@ -80,7 +81,7 @@ parts p1 s l radius c1 c2 r = Parts t0 inBar (c1 > 0) (faceAt c1 (opposite s) 1)
 -- no end that the dome makes, becomes infinite. See Note [Domes].
 dome :: Vector -> Double -> Double -> Vector -> Vector -> Interval -> Interval
 dome q radius m p d (Interval enter leave) = case sphereOver q radius m (p + t1 *^ d) d of
-  [x, y] -> Interval (if below enter then negate (1 / 0) else t1 + x) (if below leave then 1 / 0 else t1 + y)
+  [x, y] -> Interval (if below enter then negate infinity else t1 + x) (if below leave then infinity else t1 + y)
   _ -> Interval low high
   where
     -- Move on to the point nearest to this face, for a lens much longer than wide.
@@ -91,8 +92,8 @@ dome q radius m p d (Interval enter leave) = case sphereOver q radius m (p + t1 
 -- | Where the height h0 + t dh is at most that high.
 under :: Double -> Double -> Double -> Interval
 under high h0 dh
-  | dh > 0 = Interval (negate (1 / 0)) ((high - h0) / dh)
-  | dh < 0 = Interval ((high - h0) / dh) (1 / 0)
+  | dh > 0 = Interval (negate infinity) ((high - h0) / dh)
+  | dh < 0 = Interval ((high - h0) / dh) infinity
   | h0 <= high = everywhere
   | otherwise = nowhere
 
@@ -101,8 +102,8 @@ intervals :: Parts -> [Interval]
 intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
   [ Interval (t0 + enter) (t0 + leave)
     | Interval enter leave <- foldr lessInside (touching t0 kept) hollows,
-      abs (t0 + enter) < 1 / 0,
-      abs (t0 + leave) < 1 / 0
+      abs (t0 + enter) < infinity,
+      abs (t0 + leave) < infinity
   ]
   where
     kept = shared inBar (shared (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
@@ -113,7 +114,7 @@ intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
 touching :: Double -> Interval -> [Interval]
 touching t0 (Interval enter leave)
   | enter <= leave = [Interval enter leave]
-  | enter - leave <= rimOverlap * (abs t0 + abs enter + abs leave) && enter < 1 / 0 && leave > -1 / 0 = [Interval rim rim]
+  | enter - leave <= rimOverlap * (abs t0 + abs enter + abs leave) && enter < infinity && leave > negate infinity = [Interval rim rim]
   | otherwise = []
   where
     -- The same one for the ray the other way.

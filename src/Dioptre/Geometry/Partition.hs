@@ -36,6 +36,7 @@ import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
 import Data.Bits (complement, shiftL, shiftR, (.&.), (.|.))
 import Data.Primitive.PrimArray
+import Dioptre.Math.Order (larger, smaller)
 import GHC.Conc (par, pseq)
 
 -------------------------------------------------------------------------------
@@ -332,8 +333,9 @@ data Centres = Centres !Double !Double !Double !Double !Double !Double
 -- | A plane: its cost times the area of all, its coordinate (-1 for none), and the last bin before it.
 data Choice = Choice !Double !Int !Int
 
+-- | Of two faces the one that is farther out; the first, if neither is.
 lower, upper :: Double -> Double -> Double
-lower x y = if y < x then y else x
-upper x y = if y > x then y else x
+lower x y = smaller y x
+upper x y = larger y x
 {-# INLINE lower #-}
 {-# INLINE upper #-}

@@ -11,7 +11,7 @@
 -- shape is hit at the same parameters as a plain one, to the bit (a law).
 --
 -- There is one dispatcher, 'parameters', and it returns a list. The list costs nothing: one 'build' stands outside the case, every rule
--- is a good producer, and consumers are folds, so that no cell of it is ever made. See Note [Lists that vanish].
+-- is a good producer, and consumers are folds, so that no cell of it is ever made. See Note [One build for all shapes].
 module Dioptre.Geometry.Prepared
   ( -- * Preparing
     Prepared,
@@ -54,7 +54,7 @@ import Dioptre.Geometry.Tube (tubeNormal, tubeParameters)
 import Dioptre.Geometry.Uv (coneUv, cubeUv, cylinderUv, diskUv, planeUv, sideUv, sphereUv, torusUv, triangleUv)
 import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Transform (inversePosition, transformNormal)
-import Dioptre.Math.Vector (Packed, Point, Unit, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
+import Dioptre.Math.Vector (Packed, PackedUnit, Point, Unit, dot, opposite, packed, packedUnit, unit, unpacked, unpackedUnit, vector)
 import GHC.Exts (build)
 import Linear.V2 (V2)
 import qualified Linear.Vector as Linear
@@ -62,19 +62,19 @@ import qualified Linear.Vector as Linear
 -- | A shape that rays can meet, as plain numbers.
 data Prepared
   = -- | Position, unit normal.
-    Plane {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
+    Plane {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit
   | -- | Centre, unit normal, radius.
-    Disk {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double
+    Disk {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !Double
   | -- | Centre, unit normal, inner and outer radius.
-    Annulus {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+    Annulus {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   | -- | Centre, squared radius.
     Sphere {-# UNPACK #-} !Packed {-# UNPACK #-} !Double
   | -- | Centre, half size.
     Cube {-# UNPACK #-} !Packed {-# UNPACK #-} !Double
   | -- | Three corners, unit normal.
-    Triangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed
+    Triangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit
   | -- | Three corners, unit normal, the corners' unit normals and texture coordinates.
-    SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed !(Corners (V2 Double))
+    SmoothTriangle {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !PackedUnit !(Corners (V2 Double))
   | Rare !Rare
   deriving stock (Eq, Show)
 
@@ -86,15 +86,15 @@ data Rare
   | -- | The rim, and the curvatures of the faces at its start and its end.
     Lens {-# UNPACK #-} !Axial {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   | -- | Centre of the disk, unit normal, radius, curvature.
-    Cap {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+    Cap {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   | -- | Centre, unit normal, major and minor radius.
-    Torus {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+    Torus {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   | -- | A shape in a frame of its own.
     Placed !Placement !Prepared
   deriving stock (Eq, Show)
 
 -- | What shapes on an axis have: its start P1, its unit direction S, its length H, and the radius R.
-data Axial = Axial {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+data Axial = Axial {-# UNPACK #-} !Packed {-# UNPACK #-} !PackedUnit {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   deriving stock (Eq, Show)
 
 -- | Gives a rule the numbers of an axis.
@@ -144,7 +144,7 @@ preparedSphere shape = case shape of
   Sphere c radiusSquared -> Just (unpacked c, radiusSquared)
   _ -> Nothing
 
-onPlane :: Plane -> (Packed -> Packed -> Prepared) -> Maybe Prepared
+onPlane :: Plane -> (Packed -> PackedUnit -> Prepared) -> Maybe Prepared
 onPlane p make = make (packed (planePosition p)) . packedUnit <$> unit (planeNormal p)
 
 onAxis :: Round -> Maybe Axial
@@ -153,7 +153,7 @@ onAxis r = (\s -> Axial (packed start) (packedUnit s) (axisLength (roundAxis r))
     start = axisStart (roundAxis r)
     end = axisEnd (roundAxis r)
 
-ofCorners :: Triangle -> (Packed -> Packed -> Packed -> Packed -> a) -> a
+ofCorners :: Triangle -> (Packed -> Packed -> Packed -> PackedUnit -> a) -> a
 ofCorners t make =
   let Corners a b c = trianglePoints t
    in make (packed a) (packed b) (packed c) (packedUnit (triangleNormal t))
@@ -295,8 +295,10 @@ contains shape p = case shape of
   Rare (Tube _) -> False
   Rare (Cap {}) -> False
 
--- Note [Lists that vanish]
--- ~~~~~~~~~~~~~~~~~~~~~~~~
+-- Note [One build for all shapes]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- (Note [Lists that vanish] of "Dioptre.Math.Roots" tells the same of one equation.)
+--
 -- GHC's rule foldr k z (build g) = g k z removes a list between its producer and its consumer, if it can see both at once. Hence:
 -- 'parameters' is one build, with the case inside it (a case of lists would hide the build from its consumer); each branch hands
 -- its rule's list on with foldr, which meets the build of linearRoots, quadraticRoots or cubeParameters in its turn; all are

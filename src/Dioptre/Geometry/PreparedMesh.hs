@@ -44,8 +44,9 @@ import Dioptre.Geometry.Prepared (Prepared, ofSmoothTriangle, ofTriangle)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Triangle
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Tolerance (smallestParameter)
-import Dioptre.Math.Vector (Vector, packed, unit, unpackedUnit, vector)
+import Dioptre.Math.Vector (Vector, trustedUnit, unit, vector)
 import Linear.V2 (V2 (..))
 import Linear.V3 (V3 (..))
 
@@ -145,10 +146,10 @@ preparedTriangle p !i
     !place = fromIntegral (indexPrimArray (placeOf p) i)
     corner k = V3 (at (9 * place + k)) (at (9 * place + k + 1)) (at (9 * place + k + 2))
     at = indexPrimArray (cornersAt p)
-    n = unpackedUnit (packed (V3 (along 0) (along 1) (along 2)))
+    n = trustedUnit (V3 (along 0) (along 1) (along 2))
     along k = indexPrimArray (normalsAt p) (3 * place + k)
     normalAtCorner k
-      | j >= 0, made /= 0 = unpackedUnit (packed made)
+      | j >= 0, made /= 0 = trustedUnit made
       | otherwise = fromMaybe n (unit (vector n))
       where
         !j = attribute (meshCornerNormals m) i k
@@ -206,7 +207,7 @@ closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = 
 
 -- | Whether a ray meets any triangle nearer than a bound, and how many were tried.
 anyTriangle :: PreparedMesh -> Ray -> Double -> (Bool, Int)
-anyTriangle m r !bound = case descend (preparedMeshHierarchy m) (approach r) (\answer -> if answer then -1 / 0 else bound) (anyInRange m seen r bound) False of
+anyTriangle m r !bound = case descend (preparedMeshHierarchy m) (approach r) (\answer -> if answer then negate infinity else bound) (anyInRange m seen r bound) False of
   Tried answer n -> (answer, n)
   where
     !seen = seenAlong r
@@ -238,7 +239,7 @@ parametersAt m (Seen kx ky kz ox oy oz sx sy) r !place =
   [ t
     | (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0),
       u /= 0 || v /= 0 || w /= 0,
-      t <- planeParameters (V3 (corner 0) (corner 1) (corner 2)) (unpackedUnit (packed (V3 (normal 0) (normal 1) (normal 2)))) r
+      t <- planeParameters (V3 (corner 0) (corner 1) (corner 2)) (trustedUnit (V3 (normal 0) (normal 1) (normal 2))) r
   ]
   where
     corner k = indexPrimArray (cornersAt m) (9 * place + k)

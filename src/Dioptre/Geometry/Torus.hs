@@ -1,5 +1,4 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -50,7 +49,7 @@ import Data.Bits ((.&.))
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Quartic (quarticRoots)
-import Dioptre.Math.Tolerance (roundThickness)
+import Dioptre.Math.Tolerance (roundThickness, torusSlack)
 import Dioptre.Math.Vector (Point, Unit, dot, modulus, opposite, quadrance, unit, vector, (*^), (^/))
 import GHC.Exts (build)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
@@ -83,7 +82,7 @@ torusParameters p n major minor r = build $ \cons nil ->
       q = w + t0 *^ u
       !c = quadrance q
       !scale = l / m
-   in if c <= 0x1.0000000001p0 * (outer * outer)
+   in if c <= (1 + torusSlack) * (outer * outer)
         then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c (dot (vector n) q) (dot (vector n) u))
         else nil
 {-# INLINE torusParameters #-}

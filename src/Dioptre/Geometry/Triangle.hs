@@ -42,7 +42,7 @@ import Control.Applicative ((<|>))
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Plane (planeParameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Tolerance (collinearSine)
+import Dioptre.Math.Tolerance (collinearSine, needleSine)
 import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, modulus, unit, vector, (*^))
 import Linear.V2 (V2)
 import Linear.V3 (V3 (..))
@@ -147,7 +147,7 @@ edge (Shadow ax ay) (Shadow bx by) = ax * by - ay * bx
 -- (0.5,0.25)
 barycentric :: Point -> Point -> Point -> Point -> (Double, Double)
 barycentric p0 p1 p2 p
-  | d > 0x1p-20 * (s11 * s22) && ordinary s11 && ordinary s22 && dot w w < vast = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
+  | d > needleSine * needleSine * (s11 * s22) && ordinary s11 && ordinary s22 && dot w w < vast = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
   | otherwise = byCrossProducts w s1 s2
   where
     w = p - p0

@@ -9,7 +9,7 @@
 -- >        N                 d   the way the light arrives
 -- >   d \  ^  / R, E         N   the normal, towards the viewer
 -- >      \ | /               E   towards the viewer: -v, where v is the way the looking ray arrives
--- >       v|/                R   the light mirrored: d - 2 <d, N> N
+-- >       v|/                R   the light mirrored ("Dioptre.Optics.Reflection")
 -- >   -----+------           H   half way between the light and the viewer: -v - d, made unit
 --
 -- All directions are unit. The terms are bare: shadows, attenuation and the sum over lights are "Dioptre.Render.Shade"'s affair.
@@ -26,7 +26,8 @@ where
 
 import Data.Bits (testBit, unsafeShiftR)
 import Dioptre.Light.Colour (Colour, black, filtered, scaled)
-import Dioptre.Math.Vector (Unit, Vector, dot, modulus, vector, (*^), (^/))
+import Dioptre.Math.Vector (Unit, Vector, dot, modulus, vector, (^/))
+import Dioptre.Optics.Reflection (reflected)
 
 -- | Light from everywhere: light . surface.
 ambient :: Colour -> Colour -> Colour
@@ -62,8 +63,7 @@ phong light surface n d v shininess
   | facing < 0 = black
   | otherwise = scaled (power facing shininess) (filtered light surface)
   where
-    mirrored = d - (2 * dot d (vector n)) *^ vector n
-    facing = negate (dot mirrored v)
+    facing = negate (dot (reflected d n) v)
 {-# INLINE phong #-}
 
 -- | x^n for x and n from 0 up; 1 where n is 0.

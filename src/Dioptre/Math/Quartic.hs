@@ -28,7 +28,7 @@
 -- * __Number.__ There are as many roots as the polynomial with these very coefficients has, multiplicity counted, unless two of its
 --   roots, real or complex, lie closer to each other than 2^-24 of their size. Roots closer than that whose difference is within the rounding of the
 --   coefficients are given as one multiple root, so that a tangent ray is tangent although its coefficients were rounded; unless two neighbouring
---   zeros of the derivative would both be such roots, which cannot be: then roots are given as they are. See Note [Roots that touch].
+--   zeros of the derivative would both be such roots, which cannot be: then roots are given as they are. See Note [Roots that touch] of "Dioptre.Math.Touching".
 -- * __Place.__ A root that is given once is one of the two doubles beside an exact root, or that root, however near others are; a multiple one is the zero of
 --   the derivative that it is. (Where a power of x leaves degree two, the roots are those of "Dioptre.Math.Roots".)
 -- * __Residual.__ |p(x)| <= 8 eps (|a x^n| + ... + |e|), eps = 2^-53, at every root.
@@ -47,9 +47,12 @@ module Dioptre.Math.Quartic
 where
 
 import Data.Bits (shiftL, unsafeShiftR)
+import Dioptre.Math.ErrorFree (halves, productError, sumError)
 import Dioptre.Math.ExactRoots (exactRoots)
-import Dioptre.Math.Ordinal (average, finite, ordinal, position)
+import Dioptre.Math.Order (finite, larger, smaller)
+import Dioptre.Math.Ordinal (fromOrdinal, midpoint, toOrdinal)
 import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Math.Touching (mergingPart, residualPart)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
 -- | The real roots of @a x^3 + b x^2 + c x + d@, ascending, as often as their multiplicity; 'quadraticRoots' @b c d@ when @a@ is
@@ -127,10 +130,6 @@ scaled solve a b c d e
     negligible x = x == 0 || abs x >= small * small * small * small
 {-# INLINE scaled #-}
 
-larger :: Double -> Double -> Double
-larger x y = if x > y then x else y
-{-# INLINE larger #-}
-
 -------------------------------------------------------------------------------
 -- Polynomials
 
@@ -206,27 +205,6 @@ compensated (Poly a b c c' d e) !x
        in s3 + l3
     {-# INLINE afterCubic #-}
 
--- | A number as the sum of two with at most 26 bits each (Veltkamp).
-data Halves = Halves !Double !Double
-
-halves :: Double -> Halves
-halves x = let !g = 0x8000001 * x; !x1 = g - (g - x) in Halves x1 (x - x1)
-{-# INLINE halves #-}
-
--- | What rounding took from the product z of two numbers (Dekker), the second given by its halves.
-productError :: Double -> Halves -> Double -> Double
-productError x (Halves y1 y2) z = x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)
-  where
-    !(Halves x1 x2) = halves x
-{-# INLINE productError #-}
-
--- | What rounding took from the sum s of two numbers (Knuth).
-sumError :: Double -> Double -> Double -> Double
-sumError x y s = (x - (s - t)) + (y - t)
-  where
-    !t = s - x
-{-# INLINE sumError #-}
-
 -- | The derivative at a place.
 slope :: Poly -> Double -> Double
 slope (Poly a b c _ d _) x = ((4 * a * x + 3 * b) * x + 2 * c) * x + d
@@ -259,12 +237,13 @@ cubic _ a b c d = between (Poly 0 a b 0 c d) (square a3 (sumError (2 * a) a a3) 
   where
     !a3 = 2 * a + a
 
--- | The roots of (a + a') x^2 + (b + b') x + c, to a few ulp; those closer than 2^-24 of their size are one.
+-- | The roots of (a + a') x^2 + (b + b') x + c, to a few ulp; those closer than 2^-24 of their size are one, by the
+-- rule of "Dioptre.Math.Touching".
 square :: Double -> Double -> Double -> Double -> Double -> Chain
 square a a' b b' c
   | d > 0.125 * w = two d
   | d < -0.125 * w = End
-  | abs delta <= tolerance 1 * u = Link (negate b / (2 * a)) 2 End
+  | abs delta <= mergingPart 1 * u = Link (negate b / (2 * a)) 2 End
   | delta > 0 = two delta
   | otherwise = End
   where
@@ -278,15 +257,6 @@ square a a' b b' c
           !x = q / a
           !y = c / q
        in if x < y then Link x 1 (Link y 1 End) else Link y 1 (Link x 1 End)
-
--- | Beside a root of multiplicity m of the derivative, a polynomial counts as zero within this part of its Taylor term of degree
--- m + 1: 3\/4 2^(-25 (m + 1)). See Note [Roots that touch].
-tolerance :: Int -> Double
-tolerance m = case m of
-  1 -> 0x0.cp-50
-  2 -> 0x0.cp-75
-  _ -> 0x0.cp-100
-{-# INLINE tolerance #-}
 
 -- | The roots of a polynomial from those of its derivative.
 between :: Poly -> Chain -> Chain
@@ -315,7 +285,7 @@ between p@(Poly a b c _ d e) criticals = case criticals of
           then link (root p (signum v) x y (inner x v y v')) 1 (from y v' m rest')
           else if v == 0 && v' == 0 then Unsure else from y v' m rest'
       Unsure -> Unsure
-    -- The value at a critical point, zero if it counts as zero.
+    -- The value at a critical point, zero if it counts as zero (Note [Roots that touch] of "Dioptre.Math.Touching").
     settled :: Double -> Int -> (Double -> Chain) -> Chain
     settled !x !m continue
       | not (refined there) = continue v
@@ -330,7 +300,7 @@ between p@(Poly a b c _ d e) criticals = case criticals of
           1 -> x * x
           2 -> x * x * x
           _ -> (x * x) * (x * x)
-        !allowed = smaller (0x1p-50 * s) (tolerance m * abs (taylor (m + 1) p x * power))
+        !allowed = smaller (residualPart * s) (mergingPart m * abs (taylor (m + 1) p x * power))
     -- No root is farther from zero (Cauchy); a little more, since a root may be that far but for the rounding of the bound.
     !bound = 0x1.0000000000004p0 * (1 + largest / lead)
     !largest = abs b `larger` abs c `larger` abs d `larger` abs e
@@ -347,10 +317,6 @@ between p@(Poly a b c _ d e) criticals = case criticals of
     inner !x !v !y !v'
       | abs v < abs v' = x + sqrt (0.5 * abs v / (abs v + abs v')) * (y - x)
       | otherwise = y - sqrt (0.5 * abs v' / (abs v + abs v')) * (y - x)
-
-smaller :: Double -> Double -> Double
-smaller x y = if x < y then x else y
-{-# INLINE smaller #-}
 
 -- | The root between two places, at whose lower one the polynomial has the given sign, and the other sign at the upper one, by Newton's method from a
 -- guess, kept between them; or @nowhere@. See Note [Polishing].
@@ -384,7 +350,7 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
         !below = v * sign > 0
         !l' = if below then x else l
         !h' = if below then h else x
-        middle = if n < 20 then 0.5 * (l' + h') else ordinal (average (position l') (position h'))
+        middle = if n < 20 then 0.5 * (l' + h') else fromOrdinal (midpoint (toOrdinal l') (toOrdinal h'))
 {-# NOINLINE root #-}
 
 {- Note [Roots between critical points]
@@ -407,31 +373,6 @@ which carries the error of each operation along, itself computed exactly, and ad
 
 What is not certain is where the critical points are: they are doubles near the exact ones. At a simple zero c of p', p differs from its value
 at the double nearest to it by p''/2 (2^-53 c)^2, which is nothing beside the tolerance of the next note.
--}
-
-{- Note [Roots that touch]
-   ~~~~~~~~~~~~~~~~~~~~~~~
-A double root is where p(c) = 0 at a critical point. With irrational c, or coefficients that were rounded, p(c) is small and not zero. It counts as zero if
-
-  |p(c)| <= 3/4 2^(-25 (m + 1)) |T c^(m + 1)|   and   |p(c)| <= 8 eps s                     ('settled', 'touches')
-
-where T is the Taylor coefficient of degree m + 1 at c, and s the sum of the sizes of the terms. The first inequality is about the place of roots: near
-c the polynomial is p(c) + T h^(m + 1), whose zeros, real or complex, are all at the distance |p(c) / T|^(1 / (m + 1)) < 2^-25 |c| from
-c. Two of them are closer than 2^-24 of their size. So where no two roots are that close, nothing is merged and the number of roots is exact.
-The second is about the coefficients: moved by 8 eps of themselves, they make c a root indeed. It keeps residuals at rounding level.
-
-The other way round: let a polynomial with a double root r, and others well apart, have its coefficients rounded. Then p(r) is at most eps s; T r^2 is about s
-unless other roots are near; and 3/4 2^-50 is 6 eps. So it is merged, and r is found as the zero of p', a simple one, to full accuracy, not as
-two roots that are 10^-8 apart, or as none. That is what makes a ray tangent to a torus hit it, and twice.
-
-Two neighbours c may both pass: where three roots nearly coincide, and c1, c2 are a little too far apart to be one. They cannot both be roots, since p rises or falls
-between them; if each were a double root, a cubic polynomial would have four. Then neither counts (unless p(c) is zero exactly), and the roots are what the signs say: 'exactRoots' sees to it. With no two neighbours
-that count there are never more roots than the degree: k critical points leave k + 1 intervals, and each that counts takes the two beside it, which are its own, and gives m + 1.
-
-Roots near zero are no exception, since everything is relative to their size: p(0) = 0 is decided exactly, beforehand.
-
-Where three roots or four nearly coincide, the first bound (2^-75 or 2^-100) may be below what the compensated scheme can tell. Then, if the
-value cannot be told from zero, whole numbers decide ('Unsure'). In pictures this is very rare.
 -}
 
 {- Note [Polishing]

@@ -37,8 +37,6 @@
 --   <https://people.eecs.berkeley.edu/~wkahan/Qdrtcs.pdf>: why the discriminant deserves care.
 -- * S. Boldo, /Kahan's Algorithm for a Correct Discriminant Computation at Last Formally Proven/ (2009),
 --   <https://doi.org/10.1109/TC.2008.200>, program and proof at <http://toccata.lri.fr/gallery/discri.fr.html>.
--- * T. J. Dekker, /A Floating-Point Technique for Extending the Available Precision/ (1971),
---   <https://doi.org/10.1007/BF01397083>: the exact product of two numbers as a sum of two.
 -- * F. Goualard, /The Ins and Outs of Solving Quadratic Equations with Floating-Point Arithmetic/ (2023), programs at
 --   <https://github.com/goualard-f/QuadraticEquation.jl>: overflow and underflow, and what others do about them.
 module Dioptre.Math.Roots
@@ -49,7 +47,8 @@ module Dioptre.Math.Roots
   )
 where
 
-import Dioptre.Math.Ordinal (finite)
+import Dioptre.Math.ErrorFree (halves, productError)
+import Dioptre.Math.Order (finite)
 import GHC.Exts (build)
 
 -- | The root of @a x + b@, or none.
@@ -120,7 +119,7 @@ quadraticRoots :: Double -> Double -> Double -> [Double]
 quadraticRoots a b c = build (ascending (quadratic a b c))
 {-# INLINE quadraticRoots #-}
 
--- | Finite roots in ascending order, before they become a list. A higher degree brings its constructors along.
+-- | Finite roots in ascending order, before they become a list.
 data Roots
   = None
   | One !Double
@@ -215,31 +214,11 @@ solved over a b c u v
 -- | Step 4: the discriminant by Kahan's formula, to 2 ulp. It needs @u@ and @v@ within a factor of 2 of each other.
 -- See Note [The sign of the discriminant].
 refined :: Double -> Double -> Double -> Double
-refined a b c = (u - v) + (productError b b u - productError (4 * a) c v)
+refined a b c = (u - v) + (productError b (halves b) u - productError (4 * a) (halves c) v)
   where
     !u = b * b
     !v = (4 * a) * c
 {-# NOINLINE refined #-}
-
--- | What rounding took from a product: @productError x y (x * y)@ is the exact @x y@ less @x * y@ (Dekker 1971).
---
--- Both factors are cut in @halves@, whose products are exact, and they are subtracted from @z = x * y@ largest first:
--- @x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)@.
-productError :: Double -> Double -> Double -> Double
-productError x y z = x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)
-  where
-    !(x1, x2) = halves x
-    !(y1, y2) = halves y
-{-# INLINE productError #-}
-
--- | A number as the sum of two with at most 26 bits each (Veltkamp): @g = (2^27 + 1) * x@, @x1 = g - (g - x)@,
--- @x2 = x - x1@.
-halves :: Double -> (Double, Double)
-halves x = (x1, x - x1)
-  where
-    !g = 0x8000001 * x
-    !x1 = g - (g - x)
-{-# INLINE halves #-}
 
 -- | The number with the other sign, except that the opposite of zero is @0@ and not @-0@.
 opposite :: Double -> Double
@@ -272,8 +251,13 @@ pair larger smaller
 
 {- Note [Literals]
    ~~~~~~~~~~~~~~~
-A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time, wherever it is looked at, lest an exponent of a thousand million keep the compiler busy: it costs a hundred
-times as much as what it is compared with. A product of smaller literals is computed by the compiler, exactly, and rounded once.
+A literal with an exponent beyond 100, of 10 or of 2, is a rational number that GHC from 9.2 on makes at run time,
+wherever it is looked at, lest an exponent of a thousand million keep the compiler busy: it costs a hundred times as
+much as what it is compared with. A product of smaller literals is computed by the compiler, exactly, and rounded
+once.
+
+Every other literal is a double in the program, be it decimal or hexadecimal, written here or named in another module,
+and so is 1 + x for such an x. Only infinity has none: 1 / 0 is divided when the program runs.
 -}
 
 {- Note [The sign of the discriminant]
@@ -293,7 +277,7 @@ D = (u - v) + (e - f) but for the rounding of the last two operations, which lea
 does not lose the sign again: if u > v, then e - f > v - u, which is a double, so rounding cannot carry e - f
 below it, and the sum is not negative.
 
-e and f are doubles themselves, and Dekker's formula finds them exactly. None of this may underflow: where
+e and f are doubles themselves, and are found exactly ("Dioptre.Math.ErrorFree"). None of this may underflow: where
 it is used, w > 2^-400, so that e and f are multiples of 2^-510.
 -}
 
@@ -359,6 +343,5 @@ not, so that the copies stay small. Roots is not built either: in 'quadratic' ea
 'ascending', which turns it into a jump. What remains is arithmetic on unboxed numbers, and RootsSpec measures that a loop
 of it allocates nothing.
 
-Cubic and quartic polynomials will join by a constructor of Roots for each number of roots, and a function each from
-coefficients to Roots; out of line, since beside their work a box is nothing.
+Degrees three and four build real lists, out of line: beside their work a cell is nothing ("Dioptre.Math.Quartic").
 -}

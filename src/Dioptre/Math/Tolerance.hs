@@ -2,19 +2,34 @@
 
 -- |
 -- Module      : Dioptre.Math.Tolerance
--- Description : Every tolerance of the program
+-- Description : The tolerances of the program
 --
 -- The few numbers that say "near enough", in one place, each with what it is for. Nothing else in the program compares
--- with a tolerance.
+-- with a tolerance, except the finders of roots, which derive theirs in their notes ("Dioptre.Math.Touching",
+-- "Dioptre.Math.Quartic"), and "Dioptre.Scene.Original", which imitates those of another program.
+--
+-- The first group decides what is seen. The second decides nothing: it widens what only sorts out, so that
+-- rounding there never loses what an exact test would find. Specification: 1.2 (the first group).
 module Dioptre.Math.Tolerance
-  ( smallestParameter,
+  ( -- * Near enough
+    smallestParameter,
     smallestLength,
+    smallestLight,
     collinearSine,
     parallelSine,
     surfaceThickness,
     roundThickness,
     endThickness,
     rimOverlap,
+    ellipseRim,
+
+    -- * Slack of what sorts out
+    boxGrowth,
+    cornerSlack,
+    slabSlack,
+    boundSlack,
+    torusSlack,
+    needleSine,
   )
 where
 
@@ -27,6 +42,10 @@ smallestParameter = 1e-8
 -- the camera's front and up, a light's orientation.
 smallestLength :: Double
 smallestLength = 1e-10
+
+-- | Light whose red, green and blue are all below this, after the shadows, is none.
+smallestLight :: Double
+smallestLight = 1e-10
 
 -- | Two edges whose angle has a sine of at most this are parallel: 2^-50. The cross product of two vectors is computed with an error of less than
 -- 2^-51 of the product of their lengths (each component is a difference of two rounded products), so that below twice that its
@@ -59,4 +78,38 @@ endThickness = 1e-10
 -- of which carries the rounding of a position (2 units of 2^-53), of a product (1) and of the sum itself (1); two of them thus
 -- differ by less than 8 units, and the overlap is 16.
 rimOverlap :: Double
-rimOverlap = 2 ** (-49)
+rimOverlap = 0x1p-49
+
+-- | A place of an elliptical opening may be outside of the ellipse by this part: the places at the ends of its axes
+-- belong to it, and are computed with a few roundings.
+ellipseRim :: Double
+ellipseRim = 1e-10
+
+-- | A box is larger than its shape by this part of its longest edge, on every side: 2^-20. (Note [How much larger] of
+-- "Dioptre.Geometry.Bounds".)
+boxGrowth :: Double
+boxGrowth = 0x1p-20
+
+-- | And by this part of its largest coordinate: 2^-48, some roundings of the corners.
+cornerSlack :: Double
+cornerSlack = 0x1p-48
+
+-- | The parameters at which a ray leaves a box, and the one up to which it is asked for, are larger by this part:
+-- 2^-50, which is 8 roundings. (Note [Slack of the slabs] of "Dioptre.Geometry.Bounds".)
+slabSlack :: Double
+slabSlack = 0x1p-50
+
+-- | What is met at the very parameter of what is closest so far is asked for by a bound that is larger by this part:
+-- 2^-51, two to four doubles on. Which of the two it is, is decided exactly ("Dioptre.Geometry.Closest").
+boundSlack :: Double
+boundSlack = 0x1p-51
+
+-- | A line may pass beside the sphere around a torus by this part of the squared radius, 2^-40, before its quartic is
+-- left unasked.
+torusSlack :: Double
+torusSlack = 0x1p-40
+
+-- | A triangle whose edges enclose an angle with a smaller sine than this, 2^-10, is a needle, whose coordinates come
+-- from another formula. (Note [Needles] of "Dioptre.Geometry.Triangle".)
+needleSine :: Double
+needleSine = 0x1p-10

@@ -53,7 +53,6 @@ module Dioptre.Math.Transform
     -- * And back
     inversePosition,
     inverseDirection,
-    inverseNormal,
   )
 where
 
@@ -163,12 +162,15 @@ transformDirection :: Placement -> Vector -> Vector
 transformDirection (Placement lx ly lz _ _ _ _) = rows lx ly lz
 {-# INLINE transformDirection #-}
 
--- | What becomes of the normal of a surface: (L^-1)^T n, made unit. A mirroring transformation (a negative factor) keeps it on its side of the surface:
--- outward normals stay outward.
+-- | What becomes of the normal of a surface: (L^-1)^T n, made unit. A mirroring transformation (a negative factor)
+-- keeps it on its side of the surface: outward normals stay outward. (The matrix can be undone, so that the product
+-- is not zero, unless it underflows: then nothing is turned.)
 --
 -- Law: it is orthogonal to the image of every direction that n is orthogonal to.
 transformNormal :: Placement -> Unit -> Unit
-transformNormal (Placement _ _ _ ix iy iz _) = turned ix iy iz
+transformNormal (Placement _ _ _ ix iy iz _) n = fromMaybe n (unit (x *^ unpacked ix + y *^ unpacked iy + z *^ unpacked iz))
+  where
+    V3 x y z = vector n
 {-# INLINE transformNormal #-}
 
 -- | Where a point came from: L^-1 (p - T).
@@ -181,20 +183,7 @@ inverseDirection :: Placement -> Vector -> Vector
 inverseDirection (Placement _ _ _ ix iy iz _) = rows ix iy iz
 {-# INLINE inverseDirection #-}
 
--- | What the normal of a surface was: L^T n, made unit.
-inverseNormal :: Placement -> Unit -> Unit
-inverseNormal (Placement lx ly lz _ _ _ _) = turned lx ly lz
-{-# INLINE inverseNormal #-}
-
 -- | A matrix, given by its rows, times a vector.
 rows :: Packed -> Packed -> Packed -> Vector -> Vector
 rows a b c v = V3 (dot (unpacked a) v) (dot (unpacked b) v) (dot (unpacked c) v)
 {-# INLINE rows #-}
-
--- | The transpose of a matrix, given by its rows, times a unit vector, made unit. The matrix can be undone, so that the product is not zero,
--- unless it underflows: then nothing is turned.
-turned :: Packed -> Packed -> Packed -> Unit -> Unit
-turned a b c n = fromMaybe n (unit (x *^ unpacked a + y *^ unpacked b + z *^ unpacked c))
-  where
-    V3 x y z = vector n
-{-# INLINE turned #-}

@@ -8,8 +8,7 @@
 -- in a right-handed frame. They are "Linear"'s 'V3' over 'Double', so the whole vocabulary of that library works
 -- on them; this module names the part the tracer speaks, and adds what it says differently:
 --
--- * 'unit' is absent for the zero vector only (the library's @normalize@ leaves vectors shorter than 1e-6 as they are);
--- * 'mix' runs from its first argument to its second (the library's @lerp@ changed its direction between versions);
+-- * 'unit' is there for every finite vector but zero (the library's @normalize@ leaves vectors shorter than 1e-6 as they are);
 -- * 'angle' keeps its accuracy for nearly parallel vectors.
 --
 -- The order of operations is part of each rule: with it every program that computes in binary64 gets the same bits.
@@ -23,7 +22,6 @@ module Dioptre.Math.Vector
     modulus,
     distance,
     angle,
-    mix,
     (*^),
     (^/),
 
@@ -41,8 +39,10 @@ module Dioptre.Math.Vector
     Packed,
     packed,
     unpacked,
+    PackedUnit,
     packedUnit,
     unpackedUnit,
+    trustedUnit,
   )
 where
 
@@ -128,19 +128,15 @@ angle a b
 nearOne :: Vector -> Vector
 nearOne v = scaleFloat (negate (exponent (maximum (abs <$> v)))) <$> v
 
--- | The point at fraction @t@ of the way from @a@ to @b@: (1 - t) a + t b, which is exact at both ends.
+-- | A vector of length 1, to rounding. The ways in are 'unit' and the three axes; what comes from these by
+-- 'opposite', and by 'packedUnit' and back; and 'trustedUnit', which believes its caller.
 --
--- >>> mix (V3 0 0 0) (V3 2 4 8) 0.25
--- V3 0.5 1.0 2.0
-mix :: Vector -> Vector -> Double -> Vector
-mix a b t = (1 - t) *^ a + t *^ b
-{-# INLINE mix #-}
-
--- | A vector of length 1, to rounding. The only ways in are 'unit' and the three axes.
+-- Law: 'valid'.
 newtype Unit = Unit Vector
   deriving stock (Eq, Show)
 
--- | The vector divided by its length, component by component; 'Nothing' for the zero vector, and only for it.
+-- | The vector divided by its length, component by component; 'Nothing' for the zero vector, and for one with an
+-- infinite component or NaN, which has no direction; for no other.
 --
 -- A vector so short or so long that its quadrance would leave the normal range is first scaled by a power of two,
 -- which changes no digit. Law: the result's length differs from 1 by less than 4 units of rounding.
@@ -148,6 +144,8 @@ newtype Unit = Unit Vector
 -- >>> unit (V3 0 3 4)
 -- Just (Unit (V3 0.0 0.6 0.8))
 -- >>> unit (V3 0 0 0)
+-- Nothing
+-- >>> unit (V3 1 0 (1 / 0))
 -- Nothing
 unit :: Vector -> Maybe Unit
 unit v
@@ -204,12 +202,22 @@ unpacked :: Packed -> Vector
 unpacked (Packed x y z) = V3 x y z
 {-# INLINE unpacked #-}
 
--- | 'packed' for a unit vector.
-packedUnit :: Unit -> Packed
-packedUnit (Unit v) = packed v
+-- | A unit vector at rest. 'packedUnit' alone makes it.
+newtype PackedUnit = PackedUnit Packed
+  deriving stock (Eq, Show)
+
+-- | To rest, and back.
+packedUnit :: Unit -> PackedUnit
+packedUnit (Unit v) = PackedUnit (packed v)
 {-# INLINE packedUnit #-}
 
--- | The unit vector that was packed; only for what 'packedUnit' made.
-unpackedUnit :: Packed -> Unit
-unpackedUnit p = Unit (unpacked p)
+-- | The unit vector that was packed.
+unpackedUnit :: PackedUnit -> Unit
+unpackedUnit (PackedUnit p) = Unit (unpacked p)
 {-# INLINE unpackedUnit #-}
+
+-- | The unit vector with these three numbers, which nobody checks: for those of a 'Unit' that was stored as numbers,
+-- among many of its kind in one array.
+trustedUnit :: Vector -> Unit
+trustedUnit = Unit
+{-# INLINE trustedUnit #-}

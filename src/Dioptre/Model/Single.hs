@@ -28,6 +28,7 @@ import Data.Ratio ((%))
 import Data.Vector.Unboxed (Vector)
 import qualified Data.Vector.Unboxed as Vector
 import Data.Word (Word8)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Model.Words (byteAt, digit, isBlank, isDigit, minus, plus, point, wordFrom)
 import Dioptre.Source.Diagnostic (Refusal (..))
 import Dioptre.Source.Text (characters)
@@ -128,7 +129,7 @@ tenTo = Vector.unsafeIndex powers
 exactly :: ByteString -> Int -> Double
 exactly text e
   | Bytes.null significant = 0
-  | magnitude > 40 = 1 / 0
+  | magnitude > 40 = infinity
   | magnitude < -50 = 0
   | otherwise = float2Double (fromRational (integer * 10 ^ max 0 power % 10 ^ max 0 (negate power)))
   where

@@ -13,11 +13,11 @@
 -- makes T unit. Source: A. S. Glassner (ed.), An Introduction to Ray Tracing, 1989, chapter 4, section 5.
 module Dioptre.Optics.Refraction
   ( refracted,
-    refract,
   )
 where
 
-import Dioptre.Math.Vector (Unit, Vector, dot, opposite, unit, vector, (*^))
+import Dioptre.Math.Order (larger)
+import Dioptre.Math.Vector (Unit, Vector, dot, vector, (*^))
 
 -- | The direction in which unit v goes on through a surface with unit normal N turned against it, from a medium of index n1 into
 -- one of index n2; 'Nothing' where all of it is reflected. Equal indices change nothing, at any angle.
@@ -32,11 +32,5 @@ refracted v n n1 n2
     r = n1 / n2
     c = negate (dot v (vector n))
     -- Not total reflection, so this is negative by rounding only, at the critical angle.
-    across = let a = 1 - r * r * (1 - c * c) in if a > 0 then a else 0
+    across = larger (1 - r * r * (1 - c * c)) 0
 {-# INLINE refracted #-}
-
--- | The same for any direction: v is made unit and the normal turned against it first; 'Nothing' for the zero vector too.
-refract :: Vector -> Unit -> Double -> Double -> Maybe Vector
-refract v n n1 n2 = unit v >>= \u -> refracted (vector u) (against u) n1 n2
-  where
-    against u = if dot (vector u) (vector n) > 0 then opposite n else n

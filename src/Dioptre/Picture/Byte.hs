@@ -16,6 +16,7 @@ where
 
 import Data.Word (Word8)
 import Dioptre.Light.Colour (Colour (..))
+import Dioptre.Math.Order (larger, smaller)
 import Dioptre.Scene.Raytracer (ColourNormalization (..))
 import GHC.Float (double2Float, float2Double)
 
@@ -40,11 +41,10 @@ normalized :: ColourNormalization -> Colour -> Colour
 normalized how (Colour r g b a) = case how of
   ClampChannel -> Colour (toOne r) (toOne g) (toOne b) (toOne a)
   DivisionFactor ->
-    let m = largest 1 (largest r (largest g b))
+    let m = larger 1 (larger r (larger g b))
      in Colour (r / m) (g / m) (b / m) (toOne a)
   where
-    toOne x = if x > 1 then 1 else x
-    largest x y = if x > y then x else y
+    toOne = smaller 1
 
 -- | The level of a channel between 0 and 1, rounded half up: trunc (double (float c * 255) + 0.5), with the product in binary32, as
 -- in the original. Below 0 (or NaN) it is 0, above 1 it is 255.

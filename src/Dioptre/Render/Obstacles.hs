@@ -24,6 +24,7 @@ import Dioptre.Geometry.Prepared (nearest)
 import Dioptre.Geometry.PreparedMesh (anyTriangle)
 import Dioptre.Geometry.Ray (Ray)
 import Dioptre.Light.Finish (Finish, isTransparent)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), Surface (..), World (..))
 
@@ -61,7 +62,7 @@ obstaclesOfMany g !r !bound = obstaclesInInstances g 0 r bound (obstaclesInShape
 
 -- | How far a ray still matters: not at all once something opaque is met.
 stillTo :: Double -> Obstacles -> Double
-stillTo bound found = if obstaclesOpaque found then -1 / 0 else bound
+stillTo bound found = if obstaclesOpaque found then negate infinity else bound
 {-# INLINE stillTo #-}
 
 obstaclesInShapes :: Group -> Int -> Ray -> Double -> Obstacles -> Obstacles

@@ -44,7 +44,7 @@ data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Dou
 -- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the ray, seen in a direction; the sum over all lights, in their order.
 --
 -- What the algorithm leaves out is black. Which highlight it has is asked once, and not for each light.
-lighting :: Stage -> Terms -> Colours -> Packed -> Packed -> Packed -> Lit
+lighting :: Stage -> Terms -> Colours -> Packed -> PackedUnit -> Packed -> Lit
 lighting s terms !colours !p !n !v = case termHighlight terms of
   NoHighlight -> summed (\_ _ -> black)
   BlinnHighlight -> summed (\light d -> blinn light (specularOf colours) (unpackedUnit n) d (unpacked v) (shininessOf colours))
@@ -64,7 +64,7 @@ lighting s terms !colours !p !n !v = case termHighlight terms of
 
 -- | The light of one source at a point with normal n of a surface with this ambient and this diffuse colour, and this highlight of a light that travels along a direction. It is handed on with how many rays and tests it took:
 -- whatever is done with it is done last, so that GHC makes jumps of all that happens here.
-illuminated :: World -> Colour -> Colour -> (Colour -> Vector -> Colour) -> Packed -> Packed -> Source -> (Colour -> Int -> Int -> a) -> a
+illuminated :: World -> Colour -> Colour -> (Colour -> Vector -> Colour) -> Packed -> PackedUnit -> Source -> (Colour -> Int -> Int -> a) -> a
 illuminated w !ambient' !diffuse' highlight !at !normal source give = case source of
   FromEverywhere light -> give (ambient light ambient') 0 0
   FromFar light d -> shining light 1 (unpacked d) farthest
@@ -97,7 +97,7 @@ illuminated w !ambient' !diffuse' highlight !at !normal source give = case sourc
 
 -- | Whether a light has been filtered away.
 dark :: Colour -> Bool
-dark (Colour r g b _) = r < smallestLength && g < smallestLength && b < smallestLength
+dark (Colour r g b _) = r < smallestLight && g < smallestLight && b < smallestLight
 
 -- | The colours of a surface where a ray meets it, at a parameter.
 coloursAt :: Surface -> Ray -> Double -> Colours

@@ -30,6 +30,7 @@ import Dioptre.Light.Colour (Colour, white)
 import Dioptre.Light.Light (Aperture (..), Lamp (..), Light (..), Opening (..), Wave (..))
 import Dioptre.Light.Wave (linearOscillators, planarOscillators)
 import Dioptre.Light.Wavelength (colourOfWavelength)
+import Dioptre.Math.Tolerance (ellipseRim)
 import Dioptre.Math.Vector (Packed, Point, packed, unit, vector, (*^))
 import Dioptre.Model.Library (Library)
 import Dioptre.Render.Texture (Assets, Texture (..), Upward (..), texel)
@@ -92,7 +93,7 @@ source assets light = case light of
 isOpen :: Assets -> Opening -> Aperture -> Double -> Double -> Bool
 isOpen assets opening aperture x y = case opening of
   Rectangle -> True
-  Ellipse -> let dx = x - w / 2; dy = y - h / 2 in dx * dx / (w * w / 4) + dy * dy / (h * h / 4) <= 1 + 1e-10
+  Ellipse -> let dx = x - w / 2; dy = y - h / 2 in dx * dx / (w * w / 4) + dy * dy / (h * h / 4) <= 1 + ellipseRim
   Mask name -> maybe True (\p -> texel (Texture FromFirstRow p) (V2 (x / w) (y / h)) == white) (Map.lookup name assets)
   where
     w = apertureWidth aperture

@@ -5,7 +5,9 @@
 -- Description : Cubic and quartic roots: examples worked out by other means, and the laws
 module Dioptre.Math.QuarticSpec (spec) where
 
+import Dioptre.Math.ExactRoots (exactRoots)
 import Dioptre.Math.Quartic (cubicRoots, quarticRoots)
+import Dioptre.Math.Touching (mergingBits, mergingPart, residualBits, residualPart)
 import Laws.Quartic
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -30,6 +32,16 @@ spec = do
     -- 2 cos (2 pi / 9), 2 cos (4 pi / 9), 2 cos (8 pi / 9), to 20 digits
     it "solves x^3 - 3 x + 1, irreducible with three roots" $
       cubicRoots 1 0 (-3) 1 `shouldBe` [-1.8793852415718167681, 0.34729635533386069770, 1.5320888862379560704]
+
+  describe "the rule for roots that nearly touch" $
+    it "has the same numbers in doubles and in whole numbers" $ do
+      [toRational (mergingPart m) | m <- [1, 2, 3]] `shouldBe` [3 / 4 / 2 ^ (mergingBits * (m + 1)) | m <- [1, 2, 3]]
+      toRational residualPart `shouldBe` 1 / 2 ^ residualBits
+
+  describe "exactRoots" $ do
+    it "solves (x - 1)^2 (x + 2)" $ exactRoots [1, 0, -3, 2] `shouldBe` [-2, 1, 1]
+    it "gives the double nearest to a root, of any size" $ exactRoots [0x1p-1000, 0, -0x3p-1000] `shouldBe` [negate (sqrt 3), sqrt 3]
+    it "drops a root beyond all doubles" $ exactRoots [0x1p-1000, -0x1p1000 - 0x1p-1000, 0x1p1000] `shouldBe` [1]
 
   describe "quarticRoots" $ do
     describe "of polynomials with roots known beforehand" $ do

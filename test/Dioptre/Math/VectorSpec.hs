@@ -65,10 +65,6 @@ spec = do
     prop "it does not depend on the lengths" angleScales
     prop "the angles to a vector and to its opposite add up to pi" anglesSupplement
 
-  describe "mix" $ do
-    prop "is exact at both ends" mixEndsExactly
-    prop "is near the exact mixture in between, and beyond" mixIsNearExact
-
   describe "packed" $ prop "keeps every bit" packsBackAndForth
   where
     axes = [V3 1 0 0, V3 0 1 0, V3 0 0 1]

@@ -43,7 +43,7 @@ import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, triangleNorm
 import Dioptre.Math.Transform (identity, placement, transform, transformPosition)
 import Dioptre.Math.Vector
 import qualified Laws.Aim as Aim
-import Laws.Draw (Kind (..), nudged)
+import Laws.Draw (Kind (..), mix, nudged)
 import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 

@@ -21,6 +21,7 @@ module Laws.Draw
     axisStep,
     dyadicStep,
     anyVector,
+    mix,
 
     -- * Doubles next to each other
     nudged,
@@ -28,7 +29,7 @@ module Laws.Draw
   )
 where
 
-import Dioptre.Math.Vector (Vector)
+import Dioptre.Math.Vector (Vector, (*^))
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 import Linear.V3 (V3 (..))
 import Test.QuickCheck
@@ -97,6 +98,10 @@ dyadicStep :: Gen Vector
 dyadicStep = (V3 <$> part <*> part <*> part) `suchThat` (/= 0)
   where
     part = frequency [(1, pure 0), (3, powerOfTwo (-1) 2)]
+
+-- | The point at the fraction t of the way from a to b, (1 - t) a + t b.
+mix :: Vector -> Vector -> Double -> Vector
+mix a b t = (1 - t) *^ a + t *^ b
 
 -- | A vector of any kind, zero at times.
 anyVector :: Gen Vector

@@ -118,11 +118,15 @@ normalsStayNormal (Drawn t) = forAll aUnit $ \n -> forAll aUnit $ \e ->
           && abs (dot (vector n') (transformDirection m along)) <= rounding * maximum (abs <$> transformScale t)
           && dot (vector n') (transformDirection m (vector n)) > 0
 
--- | A transformed normal carried back is the normal, but for rounding stretched by the ratio of the scale factors.
+-- | A transformed normal carried back, by L^T, is the normal, but for rounding stretched by the ratio of the scale
+-- factors.
 normalsComeBack :: Drawn -> Property
 normalsComeBack (Drawn t) = forAll aUnit $ \n ->
   let m = placement t
-   in modulus (vector (inverseNormal m (transformNormal m n)) - vector n) <= rounding * stretch t
+      n' = vector (transformNormal m n)
+      -- A row of L^T is a column of L: what becomes of an axis.
+      back = dot n' . transformDirection m . vector <$> V3 alongX alongY alongZ
+   in maybe False (\n0 -> modulus (vector n0 - vector n) <= rounding * stretch t) (unit back)
 
 -- | The position of a ray at a parameter, carried back, is the position of the ray carried back at that parameter.
 keepsParameters :: Drawn -> Property

@@ -39,10 +39,6 @@ module Laws.Vector
     angleScales,
     anglesSupplement,
 
-    -- * Mixing
-    mixEndsExactly,
-    mixIsNearExact,
-
     -- * Packing
     packsBackAndForth,
   )
@@ -299,21 +295,6 @@ series x n0 first = sum (take 40 (map fst (iterate next (first, n0))))
   where
     next (term, n) = (coarse (negate term * x * x / fromInteger ((n + 1) * (n + 2))), n + 2)
     coarse y = fromInteger (round (y * 2 ^ (160 :: Int))) / 2 ^ (160 :: Int)
-
--------------------------------------------------------------------------------
--- Mixing
-
--- | All of the first at 0, all of the second at 1.
-mixEndsExactly :: Any -> Any -> Property
-mixEndsExactly (Any a) (Any b) = mix a b 0 === a .&&. mix a b 1 === b
-
--- | Between the ends, component by component: three roundings of (1 - t) a, two of t b.
-mixIsNearExact :: Any -> Any -> Property
-mixIsNearExact (Any a) (Any b) = forAll (oneof [fraction, number Full]) $ \t ->
-  let s = toRational t
-      from = fmap ((1 - s) *) (exact a)
-      to = fmap (s *) (exact b)
-   in componentwise id (fmap (gamma 3 *) (magnitudes from) + fmap (gamma 2 *) (magnitudes to)) (exact (mix a b t)) (from + to)
 
 -------------------------------------------------------------------------------
 -- Packing

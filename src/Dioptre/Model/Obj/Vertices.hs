@@ -38,6 +38,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Text (Text)
 import Data.Vector.Unboxed (Vector)
+import Dioptre.Math.Order (finite)
 import Dioptre.Math.Vector (Packed, packed)
 import Dioptre.Model.Growing
 import Dioptre.Model.Obj.Faults (Faults, excerptOf, report)
@@ -69,7 +70,8 @@ newVertices = Vertices <$> newGrowing <*> newGrowing <*> newGrowing <*> newCount
 -- | Reads a @v@ at this place.
 vertex :: Faults s -> Vertices s -> Line -> Int -> ST s ()
 vertex faults vs line@(Line bytes _ _) start
-  | isFinite (x + y + z) = push3 (verticesPoints vs) (double2Float x) (double2Float y) (double2Float z)
+  -- Singles as doubles add up without overflow, so the sum of some of them is finite only if all are.
+  | finite (x + y + z) = push3 (verticesPoints vs) (double2Float x) (double2Float y) (double2Float z)
   | otherwise = do
     push3 (verticesPoints vs) (0 / 0) 0 0
     increase (verticesBadPoints vs) 1
@@ -80,7 +82,7 @@ vertex faults vs line@(Line bytes _ _) start
 -- | Reads a @vn@ at this place.
 normal :: Faults s -> Vertices s -> Line -> Int -> ST s ()
 normal faults vs line@(Line bytes _ _) start
-  | isFinite (x + y + z) = do
+  | finite (x + y + z) = do
     push3 (verticesNormals vs) (double2Float x) (double2Float y) (double2Float z)
     when (x == 0 && y == 0 && z == 0) $ increase (verticesZeroNormals vs) 1
   | otherwise = do
@@ -93,7 +95,7 @@ normal faults vs line@(Line bytes _ _) start
 -- | Reads a @vt@ at this place.
 textureCoordinate :: Faults s -> Vertices s -> Line -> Int -> ST s ()
 textureCoordinate faults vs line@(Line bytes _ _) start
-  | isFinite (u + v) = push2 (verticesUvs vs) (double2Float u) (double2Float v)
+  | finite (u + v) = push2 (verticesUvs vs) (double2Float u) (double2Float v)
   | otherwise = do
     push2 (verticesUvs vs) 0 0
     refusedNumbers faults line start "vt"
@@ -114,10 +116,6 @@ triple bytes start = Triple x y z
     Scanned end0 x = scan bytes (blanksFrom bytes start)
     Scanned end1 y = scan bytes (blanksFrom bytes end0)
     Scanned _ z = scan bytes (blanksFrom bytes end1)
-
--- | Neither infinite nor NaN. Singles as doubles add up without overflow, so the sum of some of them is finite only if all are.
-isFinite :: Double -> Bool
-isFinite x = x - x == 0
 
 -- | Tells why the numbers after this word, three of them or at least one, cannot be read.
 refusedNumbers :: Faults s -> Line -> Int -> Text -> ST s ()
