@@ -21,9 +21,9 @@
 -- [Geometry] Rays and shapes: where a ray meets a sphere is "Dioptre.Math.Roots" at work in "Dioptre.Geometry.Sphere". Many shapes
 -- stand in boxes ("Dioptre.Geometry.Hierarchy").
 --
--- [Light] Colours, materials, lights, and what a surface sends back ("Dioptre.Light.Illumination").
---
 -- [Optics] Reflection and refraction.
+--
+-- [Light] Colours, materials, lights, and what a surface sends back ("Dioptre.Light.Illumination").
 --
 -- [Scene] The tree becomes a checked scene ("Dioptre.Scene.Check"), by a description of each object
 -- ("Dioptre.Scene.Schema") that also writes it back.

@@ -30,7 +30,7 @@ import Dioptre.Geometry.Prepared (isClosed, normalAt, shadingNormal)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Light.Colour (Colour (..), black, capped, rgb)
 import Dioptre.Light.Finish (Colours (..), Finish (..), hasPictures, isTransparent)
-import Dioptre.Math.Vector (Packed, dot, packed, packedUnit, unpacked, unpackedUnit)
+import Dioptre.Math.Vector (Packed, PackedUnit, dot, packed, packedUnit, unpacked, unpackedUnit, vector)
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Closest (closest)
@@ -111,9 +111,9 @@ data Pending = Pending {-# UNPACK #-} !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !D
 data Remaining = Done | Then {-# UNPACK #-} !Pending !Remaining
 
 -- | The refracted ray, if there is one, before those that remain: where a ray meets a surface with this finish, of the shape with this number. The normals there are the outward one and the one that is turned against the ray.
-through :: World -> Finish Texture -> Int -> Pending -> Packed -> Packed -> Packed -> Remaining -> Remaining
+through :: World -> Finish Texture -> Int -> Pending -> Packed -> PackedUnit -> PackedUnit -> Remaining -> Remaining
 through w f !i (Pending r depth wr wg wb index) !at !outward !normal !rest
-  | dot v (unpacked outward) > 0 =
+  | dot v (vector (unpackedUnit outward)) > 0 =
     let kt = finishTransparency f
      in onwards (refractiveIndexAt w (Just i) p) (kt * wr) (kt * wg) (kt * wb)
   | otherwise =

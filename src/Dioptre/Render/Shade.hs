@@ -29,8 +29,8 @@ import Dioptre.Light.Colour (Colour (..), black, capped, filtered, plus, rgb, sc
 import Dioptre.Light.Finish (Colours (..), Finish (..), Pictures (..))
 import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Light.Wave (intensity)
-import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Packed, Vector, dot, modulus, unpacked, unpackedUnit, vector, (^/))
+import Dioptre.Math.Tolerance (smallestLight)
+import Dioptre.Math.Vector (Packed, PackedUnit, Vector, dot, modulus, unpacked, unpackedUnit, vector, (^/))
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..))
 import Dioptre.Render.Texture (Texture, texel)
