@@ -123,7 +123,7 @@ conditionsOf shape r = case shape of
        in [slab "x" cx ox dx, slab "y" cy oy dy, slab "z" cz oz dz]
 
     onAxis :: Round -> (Point -> Unit -> Double -> Double -> a) -> a
-    onAxis body rule = rule p1 (fromMaybe alongZ (unit (p2 - p1))) (distance p1 p2) (roundRadius body)
+    onAxis body rule = rule p1 (fromMaybe alongZ (unit (p2 - p1))) (axisLength (roundAxis body)) (roundRadius body)
       where
         p1 = axisStart (roundAxis body)
         p2 = axisEnd (roundAxis body)

@@ -102,7 +102,7 @@ data Lens = Lens
 lens :: Round -> (Double, Double) -> Maybe Lens
 lens body@(Round a r) curvatures@(c1, c2)
   | abs c1 < r || abs c2 < r = Nothing
-  | distance (axisStart a) (axisEnd a) + faceDepth r c1 + faceDepth r c2 > 0 = Just (Lens body curvatures)
+  | axisLength a + faceDepth r c1 + faceDepth r c2 > 0 = Just (Lens body curvatures)
   | otherwise = Nothing
 
 -- | How far a spherical face stands out from the rim's plane on the axis: s(0) = sgn(c) (|c| - sqrt (c^2 - R^2)), written as
