@@ -141,11 +141,11 @@ coneContains p1 s h radius v =
 -- every real parameter, ascending. None if the two points are equal.
 --
 -- > A t^2 + B t + C = 0,  with g = apex - point, w = o - apex:
--- > A = <g,g> <d x g, d x g> - R^2 <d,g>^2
--- > B = 2 (<g,g> <w x g, d x g> - R^2 <w,g> <d,g>)
--- > C = <g,g> <w x g, w x g> - R^2 <w,g>^2
+-- > A = <g,g> <d x g, d x g> - (R <d,g>) (R <d,g>)
+-- > B = 2 (<g,g> <w x g, d x g> - (R <w,g>) (R <d,g>))
+-- > C = <g,g> <w x g, w x g> - (R <w,g>) (R <w,g>)
 --
--- It is the equation above times \<g,g>^2. Nothing is divided and no root is taken, so that the coefficients, and with them the number of roots, are exact for
+-- It is the equation above times \<g,g>^2, and R is multiplied in first, as written. Nothing is divided and no root is taken, so that the coefficients, and with them the number of roots, are exact for
 -- coordinates of few digits: a ray through the apex meets it twice at one parameter. The vector g and R are first divided
 -- by a power of two that brings g near 1, which changes no root.
 --
