@@ -65,13 +65,16 @@ module Dioptre.Geometry.Bounds
 where
 
 import Data.List (foldl')
+import Dioptre.Geometry.Axis (axisEnd, axisStart, roundAxis, roundRadius)
+import Dioptre.Geometry.Cap (capCurvature, capDisk, faceDepth)
 import Dioptre.Geometry.Cube (cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (annulusOuter, annulusPlane, diskPlane, diskRadius)
+import Dioptre.Geometry.Lens (lensBody, lensCurvatures)
 import Dioptre.Geometry.Plane (planeNormal, planePosition)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
+import Dioptre.Geometry.Torus (torusMajor, torusMinor, torusPlane)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
 import Dioptre.Math.Transform (Placement, placement, transformPosition)
 import Dioptre.Math.Vector (Packed, Point, Unit, packed, unit, unpacked, vector, (*^))

@@ -1,3 +1,5 @@
+{-# LANGUAGE DerivingStrategies #-}
+
 -- |
 -- Module      : Dioptre.Geometry.Cap
 -- Description : The spherical cap: what a plane cuts from a sphere
@@ -18,21 +20,44 @@
 -- which neither squares c nor subtracts such squares: a nearly flat cap, of a sphere a million times its size, keeps its digits. See
 -- Note [Near the rim].
 module Dioptre.Geometry.Cap
-  ( -- * Intersecting
+  ( -- * Constructing
+    Cap,
+    cap,
+    capDisk,
+    capCurvature,
+
+    -- * Intersecting
     capParameters,
     capNormal,
 
     -- * Spheres over disks
     centreDepth,
+    faceDepth,
     sphereOver,
     beyondSphere,
   )
 where
 
 import Data.Maybe (fromMaybe)
+import Dioptre.Geometry.Disk (Disk, diskRadius)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
+
+-- | The curved cap of a sphere over a disk, without the disk.
+data Cap = Cap
+  { -- | The disk that it stands over.
+    capDisk :: Disk,
+    -- | The signed radius of curvature, c: positive bulges along the disk's normal.
+    capCurvature :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The cap with that signed radius of curvature; 'Nothing' if the sphere does not reach the rim: |c| < R.
+cap :: Disk -> Double -> Maybe Cap
+cap d c
+  | abs c < diskRadius d = Nothing
+  | otherwise = Just (Cap d c)
 
 -- | How far the centre of the sphere is behind its disk: m = sgn(c) sqrt (c^2 - R^2), for |c| >= R. (0 where |c| < R.)
 --
@@ -44,6 +69,11 @@ centreDepth :: Double -> Double -> Double
 centreDepth radius c
   | abs c > radius = signum c * sqrt ((abs c - radius) * (abs c + radius))
   | otherwise = 0
+
+-- | How far the sphere stands out from its disk in the middle: s(0) = sgn(c) (|c| - sqrt (c^2 - R^2)), written as
+-- sgn(c) R^2 \/ (|c| + sqrt (c^2 - R^2)), which does not cancel for flat faces.
+faceDepth :: Double -> Double -> Double
+faceDepth r c = signum c * (r * r) / (abs c + sqrt ((abs c - r) * (abs c + r)))
 
 -- | Where p + t d is on the sphere over a disk of radius R and unit normal n, with the centre m behind it; p is measured from the centre of the disk.
 sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> [Double]

@@ -33,7 +33,13 @@
 -- share, less the insides of those taken away: in as many as three intervals, where both faces are hollow. All
 -- of them are intervals between the same few numbers, so that there is nothing to slip through at a rim.
 module Dioptre.Geometry.Lens
-  ( -- * Intersecting
+  ( -- * Constructing
+    Lens,
+    lens,
+    lensBody,
+    lensCurvatures,
+
+    -- * Intersecting
     lensParameters,
     LensPart (..),
     lensPart,
@@ -42,13 +48,33 @@ module Dioptre.Geometry.Lens
   )
 where
 
-import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, sphereOver)
+import Dioptre.Geometry.Axis (Round, axisLength, roundAxis, roundRadius)
+import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, faceDepth, sphereOver)
 import Dioptre.Geometry.Cylinder (Interval (..), bar, everywhere, nowhere, shared)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across, tubeNormal)
 import Dioptre.Math.Tolerance (rimOverlap, roundThickness, surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector, (*^))
 import GHC.Exts (build)
+
+-- | A lens: its rim, and the signed radii of curvature of its faces at P1 and at P2, positive where the face bulges outwards.
+data Lens = Lens
+  { -- | The axis and the rim.
+    lensBody :: Round,
+    -- | The radii of curvature at P1 and P2.
+    lensCurvatures :: (Double, Double)
+  }
+  deriving stock (Eq, Show)
+
+-- | 'Nothing' unless both spheres reach the rim and the lens has a thickness on its axis: |c1| >= R, |c2| >= R and
+-- L + s1(0) + s2(0) > 0, with s the 'faceDepth'.
+lens :: Round -> (Double, Double) -> Maybe Lens
+lens body curvatures@(c1, c2)
+  | abs c1 < r || abs c2 < r = Nothing
+  | axisLength (roundAxis body) + faceDepth r c1 + faceDepth r c2 > 0 = Just (Lens body curvatures)
+  | otherwise = Nothing
+  where
+    r = roundRadius body
 
 -- | Where a ray's line enters and leaves the lens whose axis starts at P1 in the unit direction S and has the length L, whose rim has the radius R, and whose
 -- faces have the signed radii of curvature c1 (at P1) and c2: every entry and exit, ascending; up to three of each.

@@ -1,4 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
@@ -37,7 +38,14 @@
 -- Source: P. Hanrahan, "A Survey of Ray-Surface Intersection Algorithms", section 3.2, in A. Glassner (ed.), /An Introduction to Ray Tracing/
 -- (1989).
 module Dioptre.Geometry.Torus
-  ( -- * Intersecting
+  ( -- * Constructing
+    Torus,
+    torus,
+    torusPlane,
+    torusMajor,
+    torusMinor,
+
+    -- * Intersecting
     torusParameters,
     torusNormal,
 
@@ -48,6 +56,7 @@ where
 
 import Data.Bits ((.&.))
 import Data.Maybe (fromMaybe)
+import Dioptre.Geometry.Plane (Plane)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Tolerance (roundThickness)
@@ -59,6 +68,23 @@ import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 -- >>> import Dioptre.Geometry.Ray (ray)
 -- >>> import Dioptre.Math.Vector (alongZ)
 -- >>> import Linear.V3 (V3 (..))
+
+-- | A torus: the plane of its circle, the radius of the circle, and that of the tube.
+data Torus = Torus
+  { -- | The plane of the circle; its position is the centre.
+    torusPlane :: Plane,
+    -- | The radius of the circle; greater than zero.
+    torusMajor :: Double,
+    -- | The radius of the tube; greater than zero.
+    torusMinor :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | 'Nothing' unless both radii are greater than zero. The tube may be thicker than the circle (a spindle).
+torus :: Plane -> Double -> Double -> Maybe Torus
+torus p major minor
+  | major > 0 && minor > 0 = Just (Torus p major minor)
+  | otherwise = Nothing
 
 -- | Every parameter at which a ray's line meets the torus around P, with axis n, of radii R and r, ascending, those behind the origin too. A ray that
 -- touches the torus does so twice; the number is even, 0, 2 or 4. The direction may have any length but zero.

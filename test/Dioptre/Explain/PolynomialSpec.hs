@@ -7,13 +7,14 @@ module Dioptre.Explain.PolynomialSpec (spec) where
 
 import Dioptre.Explain.Polynomial
 import Dioptre.Explain.Story
+import Dioptre.Geometry.Axis (axis, roundShape)
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Disk (annulus, disk)
 import Dioptre.Geometry.Plane (plane)
 import Dioptre.Geometry.Ray (Ray, direction, origin, ray)
-import Dioptre.Geometry.Round (axis, roundShape, torus)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere)
+import Dioptre.Geometry.Torus (torus)
 import Dioptre.Geometry.Triangle (Corners (..), triangle)
 import Dioptre.Math.Transform (transform)
 import Laws.Story

@@ -33,9 +33,9 @@ where
 
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Bounds
+import Dioptre.Geometry.Cap (faceDepth)
 import Dioptre.Geometry.Prepared (parameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Geometry.Round (faceDepth)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereParameters)
 import Dioptre.Geometry.Torus (torusParameters)
