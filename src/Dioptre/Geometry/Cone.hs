@@ -42,7 +42,7 @@ module Dioptre.Geometry.Cone
 where
 
 import Data.Maybe (fromMaybe)
-import Dioptre.Geometry.Cylinder (Interval (..), everywhere, nowhere, shared, slab)
+import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhere, slab)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across)
 import Dioptre.Math.Roots (quadraticRoots)
@@ -61,7 +61,7 @@ import GHC.Exts (build)
 coneParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 coneParameters p1 s h radius r = build $ \cons nil ->
   let !(Crossing t0 curved ends) = crossing p1 s h radius r
-      !(Interval first final) = shared curved ends
+      !(Interval first final) = intersection curved ends
       !enter = t0 + first
       !leave = t0 + final
       !inside = leave - enter

@@ -50,7 +50,8 @@ where
 
 import Dioptre.Geometry.Axis (Round, axisLength, roundAxis, roundRadius)
 import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, faceDepth, sphereOver)
-import Dioptre.Geometry.Cylinder (Interval (..), bar, everywhere, nowhere, shared)
+import Dioptre.Geometry.Cylinder (bar)
+import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhere)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across, tubeNormal)
 import Dioptre.Math.Tolerance (rimOverlap, roundThickness, surfaceThickness)
@@ -131,7 +132,7 @@ intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
       abs (t0 + leave) < 1 / 0
   ]
   where
-    kept = shared inBar (shared (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
+    kept = intersection inBar (intersection (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
     hollows = [dome1 | not bulges1] ++ [dome2 | not bulges2]
 
 -- | An interval as a list of none or one. One whose ends passed each other by no more than the 'rimOverlap' of the numbers involved touches a rim, and
