@@ -31,6 +31,7 @@ import qualified Dioptre.Files.SearchSpec
 import qualified Dioptre.Files.TemporarySpec
 import qualified Dioptre.Files.WholeSpec
 import qualified Dioptre.Geometry.BoundsSpec
+import qualified Dioptre.Geometry.BoxSpec
 import qualified Dioptre.Geometry.CapSpec
 import qualified Dioptre.Geometry.ClosestSpec
 import qualified Dioptre.Geometry.ConeSpec
@@ -157,6 +158,7 @@ specs = do
   describe "Dioptre.Files.Temporary" Dioptre.Files.TemporarySpec.spec
   describe "Dioptre.Files.Whole" Dioptre.Files.WholeSpec.spec
   describe "Dioptre.Geometry.Bounds" Dioptre.Geometry.BoundsSpec.spec
+  describe "Dioptre.Geometry.Box" Dioptre.Geometry.BoxSpec.spec
   describe "Dioptre.Geometry.Cap" Dioptre.Geometry.CapSpec.spec
   describe "Dioptre.Geometry.Closest" Dioptre.Geometry.ClosestSpec.spec
   describe "Dioptre.Geometry.Cone" Dioptre.Geometry.ConeSpec.spec

@@ -45,7 +45,7 @@ import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.Primitive.ByteArray
 import Data.Primitive.PrimArray
 import Data.Word (Word64)
-import Dioptre.Geometry.Bounds (Approach, Box, box, boxHigh, boxLow, meets, runsDown)
+import Dioptre.Geometry.Box (Approach, Box, box, boxFace, meets, runsDown)
 import Dioptre.Geometry.Partition
 import Linear.V3 (V3 (..))
 
@@ -158,14 +158,7 @@ hierarchy n boxOf
       let fill !i = when (i < n) $ do
             case boxOf i of
               Nothing -> writePrimArray target (6 * i) (1 / 0) >> setPrimArray target (6 * i + 1) 5 0
-              Just b -> case (boxLow b, boxHigh b) of
-                (V3 lx ly lz, V3 hx hy hz) -> do
-                  writePrimArray target (6 * i) lx
-                  writePrimArray target (6 * i + 1) ly
-                  writePrimArray target (6 * i + 2) lz
-                  writePrimArray target (6 * i + 3) hx
-                  writePrimArray target (6 * i + 4) hy
-                  writePrimArray target (6 * i + 5) hz
+              Just b -> forM_ [0 .. 5] $ \k -> writePrimArray target (6 * i + k) (boxFace b k)
             fill (i + 1)
       fill 0
       pure target

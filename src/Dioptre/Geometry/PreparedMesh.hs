@@ -34,8 +34,8 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as Vector
-import Dioptre.Geometry.Bounds (approach)
 import qualified Dioptre.Geometry.Bounds as Bounds
+import Dioptre.Geometry.Box (approach)
 import Dioptre.Geometry.Closest (Closest (..), tried, within)
 import Dioptre.Geometry.Hierarchy (Hierarchy, Tried (..), descend, hierarchy, hierarchyLeaves, hierarchyOrder)
 import Dioptre.Geometry.Mesh

@@ -8,7 +8,7 @@ import Data.Foldable (for_)
 import Data.IORef (newIORef, readIORef)
 import Data.List (sort)
 import Data.Primitive.PrimArray (indexPrimArray, primArrayToList)
-import Dioptre.Geometry.Bounds (approach)
+import Dioptre.Geometry.Box (approach)
 import Dioptre.Geometry.Hierarchy
 import Dioptre.Geometry.Ray (Ray, ray)
 import GHC.Conc (getNumCapabilities, setNumCapabilities)

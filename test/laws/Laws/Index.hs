@@ -36,7 +36,7 @@ import Data.List (foldl', nub, sort)
 import Data.Maybe (catMaybes, isNothing, listToMaybe)
 import Data.Primitive.PrimArray (indexPrimArray, primArrayToList)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds
+import Dioptre.Geometry.Box hiding (around)
 import Dioptre.Geometry.Closest
 import Dioptre.Geometry.Hierarchy
 import Dioptre.Geometry.Ray (Ray, ray)

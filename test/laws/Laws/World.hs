@@ -39,7 +39,8 @@ import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import qualified Data.Vector.Unboxed as Unboxed
 import Dioptre.Geometry.Axis (axis, roundRadius, roundShape)
-import Dioptre.Geometry.Bounds (boxHigh, boxLow, ofShape)
+import Dioptre.Geometry.Bounds (ofShape)
+import Dioptre.Geometry.Box (boxHigh, boxLow)
 import Dioptre.Geometry.Cap (cap)
 import Dioptre.Geometry.Disk (disk)
 import Dioptre.Geometry.Lens (lens)
