@@ -41,6 +41,7 @@ import qualified Dioptre.Geometry.DiskSpec
 import qualified Dioptre.Geometry.ExactSpec
 import qualified Dioptre.Geometry.HierarchySpec
 import qualified Dioptre.Geometry.LensSpec
+import qualified Dioptre.Geometry.LinkSpec
 import qualified Dioptre.Geometry.MeshSpec
 import qualified Dioptre.Geometry.PlacementSpec
 import qualified Dioptre.Geometry.PlaneSpec
@@ -168,6 +169,7 @@ specs = do
   describe "Dioptre.Geometry.Exact" Dioptre.Geometry.ExactSpec.spec
   describe "Dioptre.Geometry.Hierarchy" Dioptre.Geometry.HierarchySpec.spec
   describe "Dioptre.Geometry.Lens" Dioptre.Geometry.LensSpec.spec
+  describe "Dioptre.Geometry.Link" Dioptre.Geometry.LinkSpec.spec
   describe "Dioptre.Geometry.Mesh" Dioptre.Geometry.MeshSpec.spec
   describe "Dioptre.Geometry.Placement" Dioptre.Geometry.PlacementSpec.spec
   describe "Dioptre.Geometry.Plane" Dioptre.Geometry.PlaneSpec.spec

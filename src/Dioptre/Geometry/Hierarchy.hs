@@ -46,7 +46,8 @@ import Data.Primitive.ByteArray
 import Data.Primitive.PrimArray
 import Data.Word (Word64)
 import Dioptre.Geometry.Box (Approach, Box, box, boxFace, meets, runsDown)
-import Dioptre.Geometry.Partition
+import Dioptre.Geometry.Link
+import Dioptre.Geometry.Partition (Part (..), partition)
 import Linear.V3 (V3 (..))
 
 -- | Boxes in boxes over items that are known by their numbers, from 0 up.
@@ -84,7 +85,7 @@ faceOf h node k = indexByteArray (nodes h) (node + k)
 {-# INLINE faceOf #-}
 
 -- | The link of a node.
-linkOf :: Hierarchy -> Int -> Int
+linkOf :: Hierarchy -> Int -> Link
 linkOf h node = indexByteArray (nodes h) (node + 6)
 {-# INLINE linkOf #-}
 
@@ -145,8 +146,8 @@ hierarchy :: Int -> (Int -> Maybe Box) -> Hierarchy
 hierarchy n boxOf
   | sizeofPrimArray bounded == 0 = Hierarchy unbounded (sizeofPrimArray unbounded) (toNodes mempty mempty) 0 0
   | otherwise = case partition boxes bounded of
-    Part f l o depth ->
-      Hierarchy (unbounded <> o) (sizeofPrimArray unbounded) (toNodes f (mapPrimArray (leafAfter (sizeofPrimArray unbounded)) l)) (sizeofPrimArray l) depth
+    Part faces links order depth ->
+      Hierarchy (unbounded <> order) (sizeofPrimArray unbounded) (toNodes faces (mapPrimArray (leafAfter (sizeofPrimArray unbounded)) links)) (sizeofPrimArray links) depth
   where
     bounded = filterPrimArray hasBox everything
     unbounded = filterPrimArray (not . hasBox) everything
@@ -164,20 +165,20 @@ hierarchy n boxOf
       pure target
 
 -- | Nodes as they are stored, from their faces and links; the forks above them are found.
-toNodes :: PrimArray Double -> PrimArray Int -> ByteArray
-toNodes f l = runByteArray $ do
+toNodes :: PrimArray Double -> PrimArray Link -> ByteArray
+toNodes faces links = runByteArray $ do
   target <- newByteArray (8 * nodeWords * count)
   forM_ [0 .. count - 1] $ \node -> do
     let at = nodeWords * node
-    forM_ [0 .. 5] $ \k -> writeByteArray target (at + k) (indexPrimArray f (6 * node + k))
-    writeByteArray target (at + 6) (indexPrimArray l node)
+    forM_ [0 .. 5] $ \k -> writeByteArray target (at + k) (indexPrimArray faces (6 * node + k))
+    writeByteArray target (at + 6) (indexPrimArray links node)
     when (node == 0) $ writeByteArray target 7 (0 :: Int)
-    unless (isLeaf (indexPrimArray l node)) $ do
+    unless (isLeaf (indexPrimArray links node)) $ do
       writeByteArray target (at + nodeWords + 7) at
-      writeByteArray target (at + wordsAhead (indexPrimArray l node) + 7) at
+      writeByteArray target (at + wordsAhead (indexPrimArray links node) + 7) at
   pure target
   where
-    count = sizeofPrimArray l
+    count = sizeofPrimArray links
 
 -- Note [A trail instead of a stack]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
