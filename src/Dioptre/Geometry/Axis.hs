@@ -8,7 +8,8 @@
 -- >     |                 |
 -- >     0 ------ h ------ H         a point v is at the height h = <v - P1, S>
 --
--- Tube, cylinder, cone and lens have an axis and a radius; what else they are, and where rays meet them, stands in a module for each.
+-- Tube, cylinder, cone and lens have an axis and a radius; what else they are, and where rays meet them, stands in a
+-- module for each.
 module Dioptre.Geometry.Axis
   ( -- * Axes
     Axis,
@@ -42,7 +43,8 @@ axis a b
   | a == b = Nothing
   | otherwise = Just (Axis a b)
 
--- | The length of an axis, H, which is not zero: where the points are so near that the squares of their differences vanish (below 1e-154), those are scaled by a power of two first.
+-- | The length of an axis, H, which is not zero: where the points are so near that the squares of their differences
+-- vanish (below 1e-154), those are scaled by a power of two first.
 axisLength :: Axis -> Double
 axisLength (Axis a b)
   -- 1e-140. See Note [Literals] of "Dioptre.Math.Roots".

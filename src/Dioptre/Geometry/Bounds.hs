@@ -10,10 +10,11 @@
 -- >      |  \     /|/
 -- >  low +---`---'-+
 --
--- A ray that misses the box misses the shape. The boxes are a little larger than their shapes ('enlarged'), so that this holds of what is computed, too: see
--- Note [How much larger].
+-- A ray that misses the box misses the shape. The boxes are a little larger than their shapes ('enlarged'), so that
+-- this holds of what is computed, too: see Note [How much larger].
 --
--- Source: I. Quilez, /Bounding box for disks, cylinders and cones/, <https://iquilezles.org/articles/diskbbox/>: the disk's extents.
+-- Source: I. Quilez, /Bounding box for disks, cylinders and cones/, <https://iquilezles.org/articles/diskbbox/>: the
+-- disk's extents.
 module Dioptre.Geometry.Bounds
   ( ofShape,
 

@@ -15,8 +15,9 @@
 -- >      |         |/
 -- >  low +---------+
 --
--- A box along the axes is the cheapest thing that can be asked whether a ray comes near: what the ray's index is made of ("Dioptre.Geometry.Hierarchy"). Its answer
--- may be yes where it should be no, and never the other way round: the test is exact up to rounding, and rounding is allowed for ('meets', Note [Slack of the slabs]).
+-- A box along the axes is the cheapest thing that can be asked whether a ray comes near: what the ray's index is made
+-- of ("Dioptre.Geometry.Hierarchy"). Its answer may be yes where it should be no, and never the other way round: the
+-- test is exact up to rounding, and rounding is allowed for ('meets', Note [Slack of the slabs]).
 --
 -- Sources:
 --
@@ -113,7 +114,8 @@ upper x y = if y > x then y else x
 {-# INLINE lower #-}
 {-# INLINE upper #-}
 
--- | A box that is larger by 2^-20 of its longest edge, and by 2^-48 of its largest coordinate, in every direction. Flat boxes get a thickness. See Note [How much larger] of "Dioptre.Geometry.Bounds".
+-- | A box that is larger by 2^-20 of its longest edge, and by 2^-48 of its largest coordinate, in every direction. Flat
+-- boxes get a thickness. See Note [How much larger] of "Dioptre.Geometry.Bounds".
 enlarged :: Box -> Box
 enlarged b = spanned (subtract slack <$> boxLow b) ((+ slack) <$> boxHigh b)
   where

@@ -12,10 +12,10 @@
 -- >   |      |/
 -- >   +------+
 --
--- A cube is what three slabs share. A line crosses each slab in an interval, between the parameters of its two faces, and the
--- cube in what the three share ("Dioptre.Geometry.Interval"). Thus no ray slips through an edge, and a ray that lies in a face hits the
--- cube where it comes in. Each face's parameter is the plane's, -\<n, o - P> \/ \<n, d> with P = C + h n, which for an axis
--- comes down to (P - o) \/ d in one coordinate, to the bit.
+-- A cube is what three slabs share. A line crosses each slab in an interval, between the parameters of its two faces,
+-- and the cube in what the three share ("Dioptre.Geometry.Interval"). Thus no ray slips through an edge, and a ray that
+-- lies in a face hits the cube where it comes in. Each face's parameter is the plane's, -\<n, o - P> \/ \<n, d> with
+-- P = C + h n, which for an axis comes down to (P - o) \/ d in one coordinate, to the bit.
 module Dioptre.Geometry.Cube
   ( -- * Constructing
     Cube,

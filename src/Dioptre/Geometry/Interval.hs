@@ -7,8 +7,10 @@
 -- >     both           [=========]            from the last entry to the first exit
 -- >   ---------------------------------------> t
 --
--- A convex body is what simpler ones share: a cube three slabs, a cylinder a round bar and a slab, a cone a double cone and a slab. A line is in each of them in one interval of
--- its parameter, and in the body in what these intervals share. So every line meets the body in one interval or not at all, whichever way it comes: nothing slips through an edge.
+-- A convex body is what simpler ones share: a cube three slabs, a cylinder a round bar and a slab, a cone a double cone
+-- and a slab. A line is in each of them in one interval of its parameter, and in the body in what these intervals
+-- share. So every line meets the body in one interval or not at all, whichever way it comes: nothing slips through an
+-- edge.
 --
 -- Source: T. Kay and J. Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986.
 module Dioptre.Geometry.Interval

@@ -13,8 +13,8 @@
 -- >   fork     |  ahead               | coordinate    | 0 |     the second part begins so many nodes ahead (the first is the next node);
 -- >                                                             along the coordinate, its items have the greater centres
 --
--- A ray that comes into a box reads one word to know what is in it. A node takes eight words, so that a fork's link with its lowest three bits cleared is how many words
--- ahead the second part is: nothing is multiplied.
+-- A ray that comes into a box reads one word to know what is in it. A node takes eight words, so that a fork's link
+-- with its lowest three bits cleared is how many words ahead the second part is: nothing is multiplied.
 module Dioptre.Geometry.Link
   ( Link,
 

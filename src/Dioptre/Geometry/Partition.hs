@@ -6,14 +6,16 @@
 -- Module      : Dioptre.Geometry.Partition
 -- Description : How boxes are best put into boxes
 --
--- Items, each in its box, are split in two where a ray's expected work is least, each part again, and so on until few are left. Of the rays that come into a box, the share that
--- also comes into one inside it is the ratio of their areas. So, counted in tests of an item, a ray in the box of n items, of area A, costs
+-- Items, each in its box, are split in two where a ray's expected work is least, each part again, and so on until few
+-- are left. Of the rays that come into a box, the share that also comes into one inside it is the ratio of their areas.
+-- So, counted in tests of an item, a ray in the box of n items, of area A, costs
 --
 -- > as a leaf:   n
 -- > as a fork:   c + (A1 n1 + A2 n2) / A       c: what going through the fork costs; n1 and n2 items in the parts, of areas A1 and A2
 --
--- The planes to choose from are those between equal bins along each coordinate. An item is counted in the bin of its centre, once for each coordinate; then the bins are swept from
--- both sides, and each plane's A1 n1 + A2 n2 is known. Four unit cubes, at x = 0, 1, 7 and 8 (A is half of the area throughout, which changes nothing):
+-- The planes to choose from are those between equal bins along each coordinate. An item is counted in the bin of its
+-- centre, once for each coordinate; then the bins are swept from both sides, and each plane's A1 n1 + A2 n2 is known.
+-- Four unit cubes, at x = 0, 1, 7 and 8 (A is half of the area throughout, which changes nothing):
 --
 -- >   | 0 : 1 |       |       | 7 : 8 |      four bins of 2 between the first centre and the last
 -- >           1       2       3
@@ -84,7 +86,8 @@ parallelAbove = 8192
 deepestChoice :: Int
 deepestChoice = 40
 
--- | Below so many forks, items stay together, as a ray's trail ends ("Dioptre.Geometry.Hierarchy"). It takes 2^22 items below the 40th fork to come so far.
+-- | Below so many forks, items stay together, as a ray's trail ends ("Dioptre.Geometry.Hierarchy"). It takes 2^22 items
+-- below the 40th fork to come so far.
 deepestFork :: Int
 deepestFork = 62
 
@@ -243,7 +246,8 @@ sweep bins !used !n !coordinate along known
 -------------------------------------------------------------------------------
 -- Bins
 
--- | How the bins of a coordinate lie: where the first begins, and how many there are in a unit of length, 0 where all centres are (nearly) one.
+-- | How the bins of a coordinate lie: where the first begins, and how many there are in a unit of length, 0 where all
+-- centres are (nearly) one.
 data Ruler = Ruler !Double !Double
 
 -- | So many bins from the least number to the greatest, which is in the last one.

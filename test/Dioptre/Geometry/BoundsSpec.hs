@@ -47,8 +47,8 @@ spec = do
   where
     boxed low high shape = maybe False (fits low high) (shape >>= ofShape)
 
--- | Whether a box is this one, but for the slack of 'enlarged', 2^-20 of its longest edge: once, or for a shape that is transformed, twice. (And 2^-48 of its largest coordinate; the same
--- again is for roundings.)
+-- | Whether a box is this one, but for the slack of 'enlarged', 2^-20 of its longest edge: once, or for a shape that is
+-- transformed, twice. (And 2^-48 of its largest coordinate; the same again is for roundings.)
 fits :: Point -> Point -> Box -> Bool
 fits = enlargedTo 1
 

@@ -212,8 +212,8 @@ parametersAreRoots (Modelled scene library r _) =
     w = world mempty library scene
     shapes = directory [] library scene
 
--- | The same for shapes on an axis so short that the square of its length is rounded, or vanishes: a ray that starts in the plane of its start meets its ends at parameters as
--- small as it is.
+-- | The same for shapes on an axis so short that the square of its length is rounded, or vanishes: a ray that starts in
+-- the plane of its start meets its ends at parameters as small as it is.
 parametersOfShortAxesAreRoots :: Property
 parametersOfShortAxesAreRoots =
   forAll (axisStep Few) $ \end -> forAll (choose (-320, -140)) $ \size -> forAll ((10 **) <$> choose (-10, 1)) $ \radius -> forAll ((,) <$> start end <*> point Few) $ \(o, d) ->
