@@ -40,8 +40,8 @@ where
 
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Disk (Disk, diskRadius)
-import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
+import Dioptre.Geometry.Ray (Ray, direction, nextTo, origin)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
 
 -- | The curved cap of a sphere over a disk, without the disk.
@@ -75,9 +75,10 @@ centreDepth radius c
 faceDepth :: Double -> Double -> Double
 faceDepth r c = signum c * (r * r) / (abs c + sqrt ((abs c - r) * (abs c + r)))
 
--- | Where p + t d is on the sphere over a disk of radius R and unit normal n, with the centre m behind it; p is measured from the centre of the disk.
-sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> [Double]
-sphereOver n radius m p d = quadraticRoots (dot d d) (2 * (dot p d + m * dot d n)) (beyondSphere n radius m p)
+-- | The equation of the sphere over a disk of radius R and unit normal n, with the centre m behind it, along p + t d; p
+-- is measured from the centre of the disk.
+sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> Quadratic
+sphereOver n radius m p d = Quadratic (dot d d) (2 * (dot p d + m * dot d n)) (beyondSphere n radius m p)
 {-# INLINE sphereOver #-}
 
 -- | By how much the squared distance of a point from that sphere's centre exceeds the sphere's squared radius: \<p, p> + 2 m \<p, n> - R^2.
@@ -91,13 +92,11 @@ beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
 -- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
 capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 capParameters centre normal radius c r =
-  [t0 + t | abs t0 < 1 / 0, t <- sphereOver n radius (centreDepth radius c) p d, signum c * dot (p + t *^ d) n >= 0]
+  [t0 + t | abs t0 < 1 / 0, t <- rootsOf (sphereOver n radius (centreDepth radius c) p d), signum c * dot (p + t *^ d) n >= 0]
   where
     n = vector normal
     d = direction r
-    far = origin r - centre
-    t0 = negate (dot far d / dot d d)
-    p = far + t0 *^ d
+    (t0, p) = nextTo (origin r - centre) d
 {-# INLINE capParameters #-}
 
 -- | The unit normal at a point v of the cap: (v - C) \/ c, made unit. It points out of the sphere where c > 0, and to its centre where c < 0, so that

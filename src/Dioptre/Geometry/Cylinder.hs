@@ -10,10 +10,11 @@
 -- >     (|                 |)         with v - P1 = v_perp + h S
 -- >      +-----------------+
 --
--- A cylinder is what an infinite round bar and the slab between two planes share. A line crosses the bar in an interval, between the two
--- roots of the tube, and the slab in another, and the cylinder in what they share ("Dioptre.Geometry.Interval"). That holds whichever way the
--- line comes: along the axis, where it is in the bar everywhere or nowhere; in an end plane, where it is in the slab everywhere; through a rim,
--- where it leaves the one as it enters the other.
+-- A cylinder is what an infinite round bar and the slab between two planes share. A line crosses the bar in an
+-- interval, between the two roots of the tube, and the slab in another, and the cylinder in what they share
+-- ("Dioptre.Geometry.Interval"). That holds whichever way the line comes: along the axis, where it is in the bar
+-- everywhere or nowhere; in an end plane, where it is in the slab everywhere; through a rim, where it leaves the one as
+-- it enters the other.
 module Dioptre.Geometry.Cylinder
   ( -- * Intersecting
     cylinderParameters,
@@ -26,9 +27,9 @@ module Dioptre.Geometry.Cylinder
 where
 
 import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhere, slab)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
-import Dioptre.Geometry.Tube (across, tubeNormal)
-import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Geometry.Tube (across, circle, tubeNormal)
 import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector)
 import GHC.Exts (build)
@@ -36,13 +37,13 @@ import GHC.Exts (build)
 -- | Where w_perp + t d_perp is no longer than R: between the roots of the tube. A line along the axis is in the bar everywhere or nowhere, and
 -- in it when it lies in its surface.
 bar :: Double -> Vector -> Vector -> Interval
-bar radius wPerp dPerp = case quadraticRoots (dot dPerp dPerp) (2 * dot wPerp dPerp) c of
+bar radius wPerp dPerp = case rootsOf equation of
   [enter, leave] -> Interval enter leave
   _
     | c <= 0 -> everywhere
     | otherwise -> nowhere
   where
-    !c = dot wPerp wPerp - radius * radius
+    equation@(Quadratic _ _ c) = circle radius wPerp dPerp
 {-# INLINE bar #-}
 
 -- | Where a ray's line meets the cylinder from P1 along the unit axis S, of length H and radius R: where it enters and where it leaves, or nothing.

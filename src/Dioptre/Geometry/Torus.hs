@@ -49,6 +49,11 @@ module Dioptre.Geometry.Torus
     torusParameters,
     torusNormal,
 
+    -- * Along a ray
+    TorusLine (..),
+    torusLine,
+    torusEquation,
+
     -- * Inside
     torusContains,
   )
@@ -100,19 +105,40 @@ torus p major minor
 -- Cost: a line that misses the sphere of radius R + r around P, three dot products; any other, a quartic.
 torusParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 torusParameters p n major minor r = build $ \cons nil ->
-  let !l = powerBelow (major + minor)
-      !m = modulus (direction r)
-      u = direction r ^/ m
-      w = (origin r - p) ^/ l
+  let !(TorusLine l t0 scale c height slope) = torusLine p n major minor r
       !outer = (major + minor) / l
-      !t0 = negate (dot w u)
-      q = w + t0 *^ u
-      !c = quadrance q
-      !scale = l / m
    in if c <= 0x1.0000000001p0 * (outer * outer)
-        then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c (dot (vector n) q) (dot (vector n) u))
+        then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c height slope)
         else nil
 {-# INLINE torusParameters #-}
+
+-- | A ray's line from q on, its point nearest to the centre, in units L: the ray's parameter is (t0 + s) k.
+data TorusLine = TorusLine
+  { -- | The unit of length, L: a power of two.
+    lineUnit :: !Double,
+    -- | t0.
+    lineStart :: !Double,
+    -- | k.
+    lineScale :: !Double,
+    -- | C = |q|^2.
+    lineDistance :: !Double,
+    -- | N = \<n, q>.
+    lineHeight :: Double,
+    -- | M = \<n, u>.
+    lineSlope :: Double
+  }
+
+-- | The ray's line, seen from the torus.
+torusLine :: Point -> Unit -> Double -> Double -> Ray -> TorusLine
+torusLine p n major minor r = TorusLine l t0 (l / m) (quadrance q) (dot (vector n) q) (dot (vector n) u)
+  where
+    !l = powerBelow (major + minor)
+    !m = modulus (direction r)
+    u = direction r ^/ m
+    w = (origin r - p) ^/ l
+    !t0 = negate (dot w u)
+    q = w + t0 *^ u
+{-# INLINE torusLine #-}
 
 -- | The power of two with the same exponent: the unit of length, in which R + r is between 1 and 2, and to which everything is brought without rounding.
 powerBelow :: Double -> Double
@@ -121,12 +147,16 @@ powerBelow x = castWord64ToDouble (castDoubleToWord64 x .&. 0x7ff0000000000000)
 
 -- | The roots s, from R, r, C, N and M, in that unit.
 meetings :: Double -> Double -> Double -> Double -> Double -> [Double]
-meetings !major !minor !c !n !m =
-  quarticRoots 1 0 (2 * g - four * ((1 - m) * (1 + m))) (2 * four * m * n) (g * g - four * (c - n * n))
+meetings !major !minor !c !n !m = let (c2, c1, c0) = torusEquation major minor c n m in quarticRoots 1 0 c2 c1 c0
+{-# NOINLINE meetings #-}
+
+-- | The coefficients of s^2, of s, and the constant, from R, r, C, N and M. (That of s^4 is 1, and that of s^3 is 0.)
+torusEquation :: Double -> Double -> Double -> Double -> Double -> (Double, Double, Double)
+torusEquation major minor c n m = (2 * g - four * ((1 - m) * (1 + m)), 2 * four * m * n, g * g - four * (c - n * n))
   where
     !g = c + (major - minor) * (major + minor)
     !four = 4 * (major * major)
-{-# NOINLINE meetings #-}
+{-# INLINE torusEquation #-}
 
 -- | The outward unit normal at a point of the torus: (v - C) \/ |v - C|, where C is the point of the circle in whose tube's skin v lies, which is the nearest
 -- one, P + R (v - h n) \/ rho, except on the inner sheet of a spindle, where it is the one across the axis. At a point of the axis there is no one such point, and
