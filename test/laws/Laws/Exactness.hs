@@ -43,7 +43,6 @@ import Dioptre.Geometry.Axis (axis, axisEnd, axisStart, roundAxis, roundRadius, 
 import Dioptre.Geometry.Bounds (ofShape)
 import Dioptre.Geometry.Box (boxHigh, boxLow)
 import Dioptre.Geometry.Cap (cap, capCurvature, capDisk)
-import Dioptre.Geometry.Closest (met)
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Disk (annulus, annulusInner, annulusOuter, annulusPlane, disk, diskPlane, diskRadius)
 import Dioptre.Geometry.Lens (lens, lensBody, lensCurvatures)
@@ -68,6 +67,7 @@ import qualified Laws.Aim as Aim
 import Laws.Closest (sceneOf)
 import Laws.Draw
 import Laws.Exact
+import Laws.Index (met)
 import Laws.Mesh (aMesh, roundMesh)
 import Laws.Obvious
 import Laws.Obvious.Motion (lineOf)
