@@ -32,6 +32,7 @@ import qualified Dioptre.Files.SearchSpec
 import qualified Dioptre.Files.TemporarySpec
 import qualified Dioptre.Files.WholeSpec
 import qualified Dioptre.Geometry.BoundsSpec
+import qualified Dioptre.Geometry.BoxSpec
 import qualified Dioptre.Geometry.CapSpec
 import qualified Dioptre.Geometry.ClosestSpec
 import qualified Dioptre.Geometry.ConeSpec
@@ -41,6 +42,7 @@ import qualified Dioptre.Geometry.DiskSpec
 import qualified Dioptre.Geometry.ExactSpec
 import qualified Dioptre.Geometry.HierarchySpec
 import qualified Dioptre.Geometry.LensSpec
+import qualified Dioptre.Geometry.LinkSpec
 import qualified Dioptre.Geometry.MeshSpec
 import qualified Dioptre.Geometry.PlacementSpec
 import qualified Dioptre.Geometry.PlaneSpec
@@ -163,6 +165,7 @@ specs = do
   describe "Dioptre.Files.Temporary" Dioptre.Files.TemporarySpec.spec
   describe "Dioptre.Files.Whole" Dioptre.Files.WholeSpec.spec
   describe "Dioptre.Geometry.Bounds" Dioptre.Geometry.BoundsSpec.spec
+  describe "Dioptre.Geometry.Box" Dioptre.Geometry.BoxSpec.spec
   describe "Dioptre.Geometry.Cap" Dioptre.Geometry.CapSpec.spec
   describe "Dioptre.Geometry.Closest" Dioptre.Geometry.ClosestSpec.spec
   describe "Dioptre.Geometry.Cone" Dioptre.Geometry.ConeSpec.spec
@@ -172,6 +175,7 @@ specs = do
   describe "Dioptre.Geometry.Exact" Dioptre.Geometry.ExactSpec.spec
   describe "Dioptre.Geometry.Hierarchy" Dioptre.Geometry.HierarchySpec.spec
   describe "Dioptre.Geometry.Lens" Dioptre.Geometry.LensSpec.spec
+  describe "Dioptre.Geometry.Link" Dioptre.Geometry.LinkSpec.spec
   describe "Dioptre.Geometry.Mesh" Dioptre.Geometry.MeshSpec.spec
   describe "Dioptre.Geometry.Placement" Dioptre.Geometry.PlacementSpec.spec
   describe "Dioptre.Geometry.Plane" Dioptre.Geometry.PlaneSpec.spec

@@ -1,5 +1,4 @@
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE TupleSections #-}
 
 -- |
 -- Module      : Dioptre.Explain.Polynomial
@@ -12,8 +11,9 @@
 -- >  cylinder, cone                    one of the second degree, and the slab between the ends
 -- >  lens                              three of the second degree: the rim's tube and the two faces' spheres
 --
--- Each with the coefficients that the shape's module computes, by the same formulas in the same order of operations, so that every parameter at which the renderer meets the shape
--- is among the roots told here, to the bit (a law).
+-- Where it is more than a dot product or two, the shape's own module makes the equation, for the rule as for the story.
+-- So every parameter at which the renderer meets the shape is among the roots told here, to the bit (a law). What
+-- stands here is which conditions a shape has, and what its formulas and letters are.
 module Dioptre.Explain.Polynomial
   ( equationOf,
     Candidate (..),
@@ -25,22 +25,23 @@ import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Explain.Story
-import Dioptre.Geometry.Cap (beyondSphere, centreDepth, sphereOver)
+import Dioptre.Geometry.Axis (Round, axisEnd, axisLength, axisStart, roundAxis, roundRadius)
+import Dioptre.Geometry.Cap (capCurvature, capDisk, centreDepth, sphereOver)
+import Dioptre.Geometry.Cone (ConeLine (..), coneLine)
 import Dioptre.Geometry.Cube (cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (annulusInner, annulusOuter, annulusPlane, diskPlane, diskRadius)
+import Dioptre.Geometry.Lens (Face (..), LensLine (..), faceEquation, lensBody, lensCurvatures, lensLine)
 import Dioptre.Geometry.Placement (Placement, carriedBack, placement)
-import Dioptre.Geometry.Plane (planeNormal, planeParameters, planePosition)
-import Dioptre.Geometry.Ray (Ray, direction, directionQuadrance, origin, position)
-import Dioptre.Geometry.Round
+import Dioptre.Geometry.Plane (Plane, planeNormal, planeParameters, planePosition)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
+import Dioptre.Geometry.Ray (Ray, direction, directionQuadrance, nextTo, origin, position)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
-import Dioptre.Geometry.Torus (torusParameters)
-import Dioptre.Geometry.Triangle (Corners (..), barycentric, smoothTriangleFlat, triangleNormal, trianglePoints)
-import Dioptre.Geometry.Tube (across, tubeLineParameters)
-import Dioptre.Math.Order (infinity)
+import Dioptre.Geometry.Torus (TorusLine (..), torusEquation, torusLine, torusMajor, torusMinor, torusParameters, torusPlane)
+import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, smoothTriangleFlat, triangleNormal, trianglePoints)
+import Dioptre.Geometry.Tube (across, circle, tubeLineParameters)
 import Dioptre.Math.Quartic (quarticRoots)
-import Dioptre.Math.Roots (quadraticRoots)
-import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, modulus, quadrance, unit, vector, (*^), (^/))
+import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, unit, vector, (*^))
 import Dioptre.Syntax.Value (showReal)
 import Linear.V3 (V3 (..))
 
@@ -49,221 +50,247 @@ data Candidate = Candidate Double Int Measure
 
 -- | The conditions for a ray to meet a shape inside of some frames, the outermost first; and every root of every condition, in the order of the conditions.
 equationOf :: [Placement] -> Shape -> Ray -> (Equation, [Candidate])
-equationOf frames shape r = case inner (foldl' (flip carriedBack) r frames) shape of
-  (r', plain) -> let (moved, conditions, candidates) = conditionsOf plain r' in (Equation (if r' == r then Nothing else Just r') moved conditions, candidates)
+equationOf frames shape r = (Equation (if own == r then Nothing else Just own) moved (map fst conditions), candidates)
   where
-    inner r' (ATransformed t s) = inner (carriedBack (placement t) r') s
-    inner r' s = (r', s)
+    (own, plain) = inside (foldl' (flip carriedBack) r frames) shape
+    Told moved conditions = told plain own
+    candidates = [Candidate t i measure | (i, (_, roots)) <- zip [0 ..] conditions, (t, measure) <- roots]
 
-type Conditions = (Maybe (Double, Double), [Condition], [Candidate])
+-- | The ray in the innermost frame of a shape, and what stands there.
+inside :: Ray -> Shape -> (Ray, Shape)
+inside r shape = case shape of
+  ATransformed t inner -> inside (carriedBack (placement t) r) inner
+  _ -> (r, shape)
 
-conditionsOf :: Shape -> Ray -> Conditions
-conditionsOf shape r = case shape of
-  APlane p -> flat (planePosition p) (normalOf p) (const OtherConditions)
-  ADisk flatDisk ->
-    let centre = planePosition (diskPlane flatDisk)
-     in flat centre (normalOf (diskPlane flatDisk)) (\v -> AwayFromCentre (distance centre v) (diskRadius flatDisk))
-  AnAnnulus a ->
-    let centre = planePosition (annulusPlane a)
-        ring v
-          | away < annulusInner a = InTheHole away (annulusInner a)
-          | otherwise = AwayFromCentre away (annulusOuter a)
-          where
-            away = distance centre v
-     in flat centre (normalOf (annulusPlane a)) ring
-  ATriangle t -> ofTriangle t
-  ASmoothTriangle s -> ofTriangle (smoothTriangleFlat s)
-  ASphere s -> still (round' (sphereCentre s) (sphereRadius s))
-  ACube c -> still (slabs (cubeCentre c) (cubeSize c / 2))
-  ATube body -> onAxis body $ \p1 s h radius -> still [(tubeCondition 0 p1 s radius, [(t, AtHeight (dot (position r t - p1) (vector s)) h) | t <- tubeLineParameters p1 s radius r])]
-  ACylinder body -> onAxis body $ \p1 s h radius ->
-    still
-      [ (tubeCondition 0 p1 s radius, offBody (tubeLineParameters p1 s radius r)),
-        within TheEnds "<d, S>" (dot d (vector s)) "<o - P1, S>" (dot (origin r - p1) (vector s)) 0 h
+-- | A condition, with its roots in the ray's parameter and what is measured there.
+type Solved = (Condition, [(Double, Measure)])
+
+-- | What is told of a shape: what the parameter is counted from, and in what unit, where the equations have another one
+-- than the ray; and the conditions.
+data Told = Told (Maybe (Double, Double)) [Solved]
+
+told :: Shape -> Ray -> Told
+told shape r = case shape of
+  APlane p -> Told Nothing [onPlane p (const OtherConditions) r]
+  ADisk d -> Told Nothing [onPlane (diskPlane d) (\v -> AwayFromCentre (distance (planePosition (diskPlane d)) v) (diskRadius d)) r]
+  AnAnnulus a -> Told Nothing [onPlane (annulusPlane a) (ringMeasure (planePosition (annulusPlane a)) (annulusInner a) (annulusOuter a)) r]
+  ATriangle t -> Told Nothing [onTriangle t r]
+  ASmoothTriangle s -> Told Nothing [onTriangle (smoothTriangleFlat s) r]
+  ASphere s -> Told Nothing [onSphere (sphereCentre s) (sphereRadius s) r]
+  ACube c -> Told Nothing (inCube (cubeCentre c) (cubeSize c / 2) r)
+  ATube body -> Told Nothing (along body tubeConditions r)
+  ACylinder body -> Told Nothing (along body cylinderConditions r)
+  ACone body -> along body coneConditions r
+  ALens l -> let (c1, c2) = lensCurvatures l in along (lensBody l) lensConditions c1 c2 r
+  ACap c -> let d = capDisk c in capConditions (planePosition (diskPlane d)) (normalOf (diskPlane d)) (diskRadius d) (capCurvature c) r
+  ATorus t -> torusConditions (planePosition (torusPlane t)) (normalOf (torusPlane t)) (torusMajor t) (torusMinor t) r
+  ATransformed _ inner -> told inner r
+
+normalOf :: Plane -> Unit
+normalOf p = fromMaybe alongZ (unit (planeNormal p))
+
+-- | Gives the numbers of an axis, as the renderer has them: P1, S, H and R.
+along :: Round -> (Point -> Unit -> Double -> Double -> a) -> a
+along body rule = rule p1 (fromMaybe alongZ (unit (axisEnd (roundAxis body) - p1))) (axisLength (roundAxis body)) (roundRadius body)
+  where
+    p1 = axisStart (roundAxis body)
+
+-------------------------------------------------------------------------------
+-- In planes
+
+onPlane :: Plane -> (Point -> Measure) -> Ray -> Solved
+onPlane p = flat (planePosition p) (normalOf p)
+
+onTriangle :: Triangle -> Ray -> Solved
+onTriangle t = flat p0 (triangleNormal t) (uncurry Barycentric . barycentric p0 p1 p2)
+  where
+    Corners p0 p1 p2 = trianglePoints t
+
+ringMeasure :: Point -> Double -> Double -> Point -> Measure
+ringMeasure centre inner outer v
+  | away < inner = InTheHole away inner
+  | otherwise = AwayFromCentre away outer
+  where
+    away = distance centre v
+
+-- | The plane through P with normal n, and what is measured at its point.
+flat :: Point -> Unit -> (Point -> Measure) -> Ray -> Solved
+flat p n measure r =
+  ( PolynomialIsZero
+      ThePlane
+      [ Coefficient "A" "<n, d>" (dot (vector n) (direction r)),
+        Coefficient "B" "<n, o - P>" (dot (vector n) (origin r - p))
       ]
-  ACone body -> onAxis body coneConditions
-  ALens l -> let (c1, c2) = lensCurvatures l in onAxis (lensBody l) (lensConditions c1 c2)
-  ACap c -> capConditions (planePosition (diskPlane (capDisk c))) (normalOf (diskPlane (capDisk c))) (diskRadius (capDisk c)) (capCurvature c)
-  ATorus t -> torusConditions (planePosition (torusPlane t)) (normalOf (torusPlane t)) (torusMajor t) (torusMinor t)
-  ATransformed _ s -> conditionsOf s r
+      [ "n" `is` shown (vector n),
+        "P" `is` shown p
+      ]
+      Nothing
+      0,
+    [(t, measure (position r t)) | t <- planeParameters p n r]
+  )
+
+-------------------------------------------------------------------------------
+-- Spheres and cubes
+
+onSphere :: Point -> Double -> Ray -> Solved
+onSphere c radius r = (quadratic TheSphere ("<d, d>", "2 <w, d>", "<w, w> - R^2") equation letters 0, unmeasured (rootsOf equation))
   where
     d = direction r
-    normalOf p = fromMaybe alongZ (unit (planeNormal p))
-    ofTriangle t =
-      let Corners p0 p1 p2 = trianglePoints t
-       in flat p0 (triangleNormal t) (uncurry Barycentric . barycentric p0 p1 p2)
-    offBody = map (,OtherConditions)
+    w = origin r - c
+    equation = Quadratic (directionQuadrance r) (2 * dot w d) (dot w w - radius * radius)
+    letters =
+      [ "w = o - C",
+        "C" `is` shown c,
+        "R" `is` showReal radius
+      ]
 
-    -- Conditions in t itself, each with its roots.
-    still conditions = (Nothing, map fst conditions, numbered (map snd conditions))
-    numbered lists = [Candidate t i c | (i, list) <- zip [0 ..] lists, (t, c) <- list]
-
-    flat :: Point -> Unit -> (Point -> Measure) -> Conditions
-    flat p n measure =
-      still
-        [ ( PolynomialIsZero
-              ThePlane
-              [Coefficient "A" "<n, d>" (dot (vector n) d), Coefficient "B" "<n, o - P>" (dot (vector n) (origin r - p))]
-              ["n = " <> shown (vector n), "P = " <> shown p]
-              Nothing
-              0,
-            [(t, measure (position r t)) | t <- planeParameters p n r]
-          )
-        ]
-
-    round' c radius =
-      let w = origin r - c
-          (qa, qb, qc) = (directionQuadrance r, 2 * dot w d, dot w w - radius * radius)
-          roots = quadraticRoots qa qb qc
-       in [(quadratic TheSphere ("<d, d>", qa) ("2 <w, d>", qb) ("<w, w> - R^2", qc) ["w = o - C", "C = " <> shown c, "R = " <> showReal radius] roots 0, offBody roots)]
-
-    slabs (V3 cx cy cz) h =
-      let V3 ox oy oz = origin r
-          V3 dx dy dz = d
-          slab name c o v = within (TheFaces name) ("d_" <> name) v ("o_" <> name) o (c - h) (c + h)
-       in [slab "x" cx ox dx, slab "y" cy oy dy, slab "z" cz oz dz]
-
-    onAxis :: Round -> (Point -> Unit -> Double -> Double -> a) -> a
-    onAxis body rule = rule p1 (fromMaybe alongZ (unit (p2 - p1))) (distance p1 p2) (roundRadius body)
-      where
-        p1 = axisStart (roundAxis body)
-        p2 = axisEnd (roundAxis body)
-
-    -- The tube around an axis through a point, for the ray moved by so much.
-    tubeCondition :: Double -> Point -> Unit -> Double -> Condition
-    tubeCondition t0 p1 s radius = tubeOf (if t0 == 0 then "w = o - P1" else "w = o + t0 d - M") (if t0 == 0 then "P1" else "M") p1 s radius (across s (origin r - p1)) (across s d)
-
-    coneConditions p1 s h radius =
-      (Just (t0, 1), [side, fst ends], numbered [offBody [t0 + x | x <- roots], [(t0 + x, c) | (x, c) <- snd ends]])
-      where
-        far = (origin r - p1) - h *^ vector s
-        t0 = negate (dot far d / dot d d)
-        w = far + t0 *^ d
-        a = dot w (vector s)
-        da = dot d (vector s)
-        wPerp = across s w
-        dPerp = across s d
-        k = radius / h
-        ka = radius / h * a
-        kda = radius / h * da
-        (qa, qb, qc) = (dot dPerp dPerp - kda * kda, 2 * (dot wPerp dPerp - kda * ka), dot wPerp wPerp - ka * ka)
-        roots = quadraticRoots qa qb qc
-        side =
-          quadratic
-            TheDoubleCone
-            ("<d', d'> - (k b)^2", qa)
-            ("2 (<w', d'> - k^2 a b)", qb)
-            ("<w', w'> - (k a)^2", qc)
-            ["w = o + t0 d - P2", "a = <w, S>", "b = <d, S>", "w' = w - a S", "d' = d - b S", "k = R / H = " <> showReal k, "S = " <> shown (vector s), "P2 = " <> shown (p1 + h *^ vector s)]
-            roots
-            0
-        ends = within TheEnds "<d, S>" da "<w, S>" a (negate h) 0
-
-    lensConditions c1 c2 p1 s l radius = (Just (t0, 1), [side, startFace, endFace], numbered [offBody [t0 + x | x <- sideRoots], offBody [t0 + (t1 + x) | x <- startRoots], offBody [t0 + (t2 + x) | x <- endRoots]])
-      where
-        halfAxis = (l / 2) *^ vector s
-        far = (origin r - p1) - halfAxis
-        t0 = negate (dot far d / dot d d)
-        w = far + t0 *^ d
-        (wPerp, dPerp) = (across s w, across s d)
-        sideRoots = quadraticRoots (dot dPerp dPerp) (2 * dot wPerp dPerp) (dot wPerp wPerp - radius * radius)
-        side = tubeOf "w = o + t0 d - M" "M" (p1 + halfAxis) s radius wPerp dPerp
-        (startFace, t1, startRoots) = face TheStartFace c1 (negate (vector s)) (w + 1 *^ halfAxis)
-        (endFace, t2, endRoots) = face TheEndFace c2 (vector s) (w + (-1) *^ halfAxis)
-        face patch c outward p = (overDisk patch q radius m (p + shift *^ d) roots shift, shift, roots)
-          where
-            q = signum c *^ outward
-            m = abs (centreDepth radius c)
-            shift = negate (dot p d / dot d d)
-            roots = sphereOver q radius m (p + shift *^ d) d
-
-    capConditions centre n radius c = (Just (t0, 1), [overDisk TheSphere (vector n) radius m p roots 0], [Candidate (t0 + x) 0 SideOfDisk | abs t0 < infinity, x <- roots])
-      where
-        m = centreDepth radius c
-        far = origin r - centre
-        t0 = negate (dot far d / dot d d)
-        p = far + t0 *^ d
-        roots = sphereOver (vector n) radius m p d
-
-    -- The sphere over a disk, for a point p measured from the disk's centre.
-    overDisk :: Patch -> Vector -> Double -> Double -> Vector -> [Double] -> Double -> Condition
-    overDisk patch n radius m p =
-      quadratic
-        patch
-        ("<d, d>", dot d d)
-        ("2 (<p, d> + m <d, n>)", 2 * (dot p d + m * dot d n))
-        ("<p, p> + 2 m <p, n> - R^2", beyondSphere n radius m p)
-        ["p = " <> shown p, "m = " <> showReal m, "n = " <> shown n, "R = " <> showReal radius]
-
-    torusConditions p n major minor
-      | c > outer * outer && null (torusParameters p n major minor r) = (Nothing, [PassesNear (sqrt c * l) (major + minor)], [])
-      | otherwise = (Just (t0, scale), [ring], [Candidate ((t0 + s) * scale) 0 OtherConditions | s <- roots])
-      where
-        l = scaleFloat (exponent (major + minor) - 1) 1
-        u = d ^/ modulus d
-        w = (origin r - p) ^/ l
-        outer = (major + minor) / l
-        t0 = negate (dot w u)
-        q = w + t0 *^ u
-        c = quadrance q
-        scale = l / modulus d
-        (bigR, smallR) = (major / l, minor / l)
-        (nq, nu) = (dot (vector n) q, dot (vector n) u)
-        g = c + (bigR - smallR) * (bigR + smallR)
-        four = 4 * (bigR * bigR)
-        (q2, q1, q0) = (2 * g - four * ((1 - nu) * (1 + nu)), 2 * four * nu * nq, g * g - four * (c - nq * nq))
-        roots = quarticRoots 1 0 q2 q1 q0
-        ring =
-          PolynomialIsZero
-            TheTorus
-            [ Coefficient "A" "1" 1,
-              Coefficient "B" "0" 0,
-              Coefficient "C" "2 G - 4 R^2 (1 - M^2)" q2,
-              Coefficient "D" "8 R^2 M N" q1,
-              Coefficient "E" "G^2 - 4 R^2 (<q, q> - N^2)" q0
-            ]
-            [ "u = d / |d|",
-              "q = (o - P) / L + t0 u",
-              "N = <n, q>",
-              "M = <n, u>",
-              "G = <q, q> + R^2 - r^2",
-              "L = " <> showReal l,
-              "R = " <> showReal bigR,
-              "r = " <> showReal smallR,
-              "n = " <> shown (vector n),
-              "P = " <> shown p
-            ]
-            Nothing
-            0
-
--- | The infinite tube around an axis, for what the ray's origin and direction have across it.
-tubeOf :: Text -> Text -> Point -> Unit -> Double -> Vector -> Vector -> Condition
-tubeOf letter name p s radius wPerp dPerp =
-  quadratic
-    TheTube
-    ("<d', d'>", qa)
-    ("2 <w', d'>", qb)
-    ("<w', w'> - R^2", qc)
-    [letter, "w' = w - <w, S> S", "d' = d - <d, S> S", name <> " = " <> shown p, "S = " <> shown (vector s), "R = " <> showReal radius]
-    (quadraticRoots qa qb qc)
-    0
+inCube :: Point -> Double -> Ray -> [Solved]
+inCube (V3 cx cy cz) h r = [slab "x" cx ox dx, slab "y" cy oy dy, slab "z" cz oz dz]
   where
-    (qa, qb, qc) = (dot dPerp dPerp, 2 * dot wPerp dPerp, dot wPerp wPerp - radius * radius)
+    V3 ox oy oz = origin r
+    V3 dx dy dz = direction r
+    slab name c o d = within (TheFaces name) ("d_" <> name) d ("o_" <> name) o (c - h) (c + h)
 
--- | A condition of the second degree. Its discriminant is told where its sign is that of the number of roots, which it is but for rounding.
-quadratic :: Patch -> (Text, Double) -> (Text, Double) -> (Text, Double) -> [Text] -> [Double] -> Double -> Condition
-quadratic patch (fa, a) (fb, b) (fc, c) letters roots = PolynomialIsZero patch [Coefficient "A" fa a, Coefficient "B" fb b, Coefficient "C" fc c] letters certain
+-------------------------------------------------------------------------------
+-- Around an axis
+
+tubeConditions :: Point -> Unit -> Double -> Double -> Ray -> [Solved]
+tubeConditions p1 s h radius r = [(tubeFromStart p1 s radius r, [(t, AtHeight (dot (position r t - p1) (vector s)) h) | t <- tubeLineParameters p1 s radius r])]
+
+cylinderConditions :: Point -> Unit -> Double -> Double -> Ray -> [Solved]
+cylinderConditions p1 s h radius r =
+  [ (tubeFromStart p1 s radius r, unmeasured (tubeLineParameters p1 s radius r)),
+    within TheEnds "<d, S>" (dot (direction r) (vector s)) "<o - P1, S>" (dot (origin r - p1) (vector s)) 0 h
+  ]
+
+-- | The infinite tube, seen from P1.
+tubeFromStart :: Point -> Unit -> Double -> Ray -> Condition
+tubeFromStart p1 s radius r = tube "w = o - P1" ("P1" `is` shown p1) s radius (circle radius (across s (origin r - p1)) (across s (direction r)))
+
+-- | The infinite tube, with what w is and where it is measured from.
+tube :: Text -> Text -> Unit -> Double -> Quadratic -> Condition
+tube w centre s radius equation = quadratic TheTube ("<d', d'>", "2 <w', d'>", "<w', w'> - R^2") equation letters 0
+  where
+    letters =
+      [ w,
+        "w' = w - <w, S> S",
+        "d' = d - <d, S> S",
+        centre,
+        "S" `is` shown (vector s),
+        "R" `is` showReal radius
+      ]
+
+coneConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
+coneConditions p1 s h radius r = Told (Just (t0, 1)) [(side, unmeasured (rootsOf equation)) `countedFrom` t0, ends `countedFrom` t0]
+  where
+    ConeLine t0 equation a da = coneLine p1 s h radius r
+    side = quadratic TheDoubleCone ("<d', d'> - (k b)^2", "2 (<w', d'> - k^2 a b)", "<w', w'> - (k a)^2") equation letters 0
+    ends = within TheEnds "<d, S>" da "<w, S>" a (negate h) 0
+    letters =
+      [ "w = o + t0 d - P2",
+        "a = <w, S>",
+        "b = <d, S>",
+        "w' = w - a S",
+        "d' = d - b S",
+        "k = R / H" `is` showReal (radius / h),
+        "S" `is` shown (vector s),
+        "P2" `is` shown (p1 + h *^ vector s)
+      ]
+
+lensConditions :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Told
+lensConditions p1 s l radius c1 c2 r = Told (Just (t0, 1)) [(side, unmeasured (rootsOf bar)) `countedFrom` t0, face TheStartFace start, face TheEndFace end]
+  where
+    d = direction r
+    LensLine t0 w start end = lensLine p1 s l radius c1 c2 r
+    bar = circle radius (across s w) (across s d)
+    side = tube "w = o + t0 d - M" ("M" `is` shown (p1 + (l / 2) *^ vector s)) s radius bar
+    face patch f = (overDisk patch (faceAxis f) radius (faceCentre f) (facePoint f) equation (faceShift f), unmeasured (rootsOf equation)) `countedFrom` faceShift f `countedFrom` t0
+      where
+        equation = faceEquation radius f d
+
+-------------------------------------------------------------------------------
+-- Over a disk, and around a circle
+
+capConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
+capConditions centre n radius c r = Told (Just (t0, 1)) [(overDisk TheSphere (vector n) radius m p equation 0, [(x, SideOfDisk) | abs t0 < 1 / 0, x <- rootsOf equation]) `countedFrom` t0]
+  where
+    m = centreDepth radius c
+    (t0, p) = nextTo (origin r - centre) (direction r)
+    equation = sphereOver (vector n) radius m p (direction r)
+
+-- | The sphere over a disk, for a point p measured from the disk's centre; with the further move of the parameter.
+overDisk :: Patch -> Vector -> Double -> Double -> Vector -> Quadratic -> Double -> Condition
+overDisk patch n radius m p equation = quadratic patch ("<d, d>", "2 (<p, d> + m <d, n>)", "<p, p> + 2 m <p, n> - R^2") equation letters
+  where
+    letters =
+      [ "p" `is` shown p,
+        "m" `is` showReal m,
+        "n" `is` shown n,
+        "R" `is` showReal radius
+      ]
+
+torusConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
+torusConditions p n major minor r
+  | c > outer * outer && null (torusParameters p n major minor r) = Told Nothing [(PassesNear (sqrt c * l) (major + minor), [])]
+  | otherwise = Told (Just (t0, scale)) [(ring, [((t0 + s) * scale, OtherConditions) | s <- quarticRoots 1 0 c2 c1 c0])]
+  where
+    TorusLine l t0 scale c height slope = torusLine p n major minor r
+    outer = (major + minor) / l
+    (c2, c1, c0) = torusEquation (major / l) (minor / l) c height slope
+    ring =
+      PolynomialIsZero
+        TheTorus
+        [ Coefficient "A" "1" 1,
+          Coefficient "B" "0" 0,
+          Coefficient "C" "2 G - 4 R^2 (1 - M^2)" c2,
+          Coefficient "D" "8 R^2 M N" c1,
+          Coefficient "E" "G^2 - 4 R^2 (<q, q> - N^2)" c0
+        ]
+        [ "u = d / |d|",
+          "q = (o - P) / L + t0 u",
+          "N = <n, q>",
+          "M = <n, u>",
+          "G = <q, q> + R^2 - r^2",
+          "L" `is` showReal l,
+          "R" `is` showReal (major / l),
+          "r" `is` showReal (minor / l),
+          "n" `is` shown (vector n),
+          "P" `is` shown p
+        ]
+        Nothing
+        0
+
+-------------------------------------------------------------------------------
+-- Conditions
+
+-- | A condition of the second degree: the formulas of A, B and C, and what their letters are. Its discriminant is told
+-- where its sign is that of the number of roots, which it is but for rounding.
+quadratic :: Patch -> (Text, Text, Text) -> Quadratic -> [Text] -> Double -> Condition
+quadratic patch (formulaA, formulaB, formulaC) equation@(Quadratic a b c) letters =
+  PolynomialIsZero patch [Coefficient "A" formulaA a, Coefficient "B" formulaB b, Coefficient "C" formulaC c] letters (if agrees then Just discriminant else Nothing)
   where
     discriminant = b * b - 4 * a * c
-    agrees = case roots of
+    agrees = case rootsOf equation of
       [x, y] -> if x == y then discriminant == 0 else discriminant > 0
       [] -> discriminant < 0
       _ -> False
-    certain = if agrees then Just discriminant else Nothing
 
 -- | A slab: where B + A t is from low to high, and the parameters of its two faces.
-within :: Patch -> Text -> Double -> Text -> Double -> Double -> Double -> (Condition, [(Double, Measure)])
-within patch fa a fb b low high = (LiesBetween patch (Coefficient "A" fa a) (Coefficient "B" fb b) low high, [(x, OtherConditions) | a /= 0, x <- [(low - b) / a, (high - b) / a]])
+within :: Patch -> Text -> Double -> Text -> Double -> Double -> Double -> Solved
+within patch formulaA a formulaB b low high =
+  (LiesBetween patch (Coefficient "A" formulaA a) (Coefficient "B" formulaB b) low high, unmeasured [x | a /= 0, x <- [(low - b) / a, (high - b) / a]])
+
+-- | The roots where nothing more is measured.
+unmeasured :: [Double] -> [(Double, Measure)]
+unmeasured ts = [(t, OtherConditions) | t <- ts]
+
+-- | The same roots, when they were counted from a parameter on.
+countedFrom :: Solved -> Double -> Solved
+countedFrom (condition, roots) t0 = (condition, [(t0 + x, measure) | (x, measure) <- roots])
+
+-- | A letter, and what it is.
+is :: Text -> Text -> Text
+is letter value = letter <> " = " <> value
 
 -- | A vector, as scenes have it.
 shown :: Vector -> Text

@@ -1,3 +1,5 @@
+{-# LANGUAGE DerivingStrategies #-}
+
 -- |
 -- Module      : Dioptre.Geometry.Cap
 -- Description : The spherical cap: what a plane cuts from a sphere
@@ -18,22 +20,44 @@
 -- which neither squares c nor subtracts such squares: a nearly flat cap, of a sphere a million times its size, keeps its digits. See
 -- Note [Near the rim].
 module Dioptre.Geometry.Cap
-  ( -- * Intersecting
+  ( -- * Constructing
+    Cap,
+    cap,
+    capDisk,
+    capCurvature,
+
+    -- * Intersecting
     capParameters,
     capNormal,
 
     -- * Spheres over disks
     centreDepth,
+    faceDepth,
     sphereOver,
     beyondSphere,
   )
 where
 
 import Data.Maybe (fromMaybe)
-import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Order (infinity)
-import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Geometry.Disk (Disk, diskRadius)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
+import Dioptre.Geometry.Ray (Ray, direction, nextTo, origin)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
+
+-- | The curved cap of a sphere over a disk, without the disk.
+data Cap = Cap
+  { -- | The disk that it stands over.
+    capDisk :: Disk,
+    -- | The signed radius of curvature, c: positive bulges along the disk's normal.
+    capCurvature :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The cap with that signed radius of curvature; 'Nothing' if the sphere does not reach the rim: |c| < R.
+cap :: Disk -> Double -> Maybe Cap
+cap d c
+  | abs c < diskRadius d = Nothing
+  | otherwise = Just (Cap d c)
 
 -- | How far the centre of the sphere is behind its disk: m = sgn(c) sqrt (c^2 - R^2), for |c| >= R. (0 where |c| < R.)
 --
@@ -46,9 +70,15 @@ centreDepth radius c
   | abs c > radius = signum c * sqrt ((abs c - radius) * (abs c + radius))
   | otherwise = 0
 
--- | Where p + t d is on the sphere over a disk of radius R and unit normal n, with the centre m behind it; p is measured from the centre of the disk.
-sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> [Double]
-sphereOver n radius m p d = quadraticRoots (dot d d) (2 * (dot p d + m * dot d n)) (beyondSphere n radius m p)
+-- | How far the sphere stands out from its disk in the middle: s(0) = sgn(c) (|c| - sqrt (c^2 - R^2)), written as
+-- sgn(c) R^2 \/ (|c| + sqrt (c^2 - R^2)), which does not cancel for flat faces.
+faceDepth :: Double -> Double -> Double
+faceDepth r c = signum c * (r * r) / (abs c + sqrt ((abs c - r) * (abs c + r)))
+
+-- | The equation of the sphere over a disk of radius R and unit normal n, with the centre m behind it, along p + t d; p
+-- is measured from the centre of the disk.
+sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> Quadratic
+sphereOver n radius m p d = Quadratic (dot d d) (2 * (dot p d + m * dot d n)) (beyondSphere n radius m p)
 {-# INLINE sphereOver #-}
 
 -- | By how much the squared distance of a point from that sphere's centre exceeds the sphere's squared radius: \<p, p> + 2 m \<p, n> - R^2.
@@ -62,13 +92,11 @@ beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
 -- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
 capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 capParameters centre normal radius c r =
-  [t0 + t | abs t0 < infinity, t <- sphereOver n radius (centreDepth radius c) p d, signum c * dot (p + t *^ d) n >= 0]
+  [t0 + t | abs t0 < 1 / 0, t <- rootsOf (sphereOver n radius (centreDepth radius c) p d), signum c * dot (p + t *^ d) n >= 0]
   where
     n = vector normal
     d = direction r
-    far = origin r - centre
-    t0 = negate (dot far d / dot d d)
-    p = far + t0 *^ d
+    (t0, p) = nextTo (origin r - centre) d
 {-# INLINE capParameters #-}
 
 -- | The unit normal at a point v of the cap: (v - C) \/ c, made unit. It points out of the sphere where c > 0, and to its centre where c < 0, so that

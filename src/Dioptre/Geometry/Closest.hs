@@ -11,9 +11,8 @@ module Dioptre.Geometry.Closest
     below,
     within,
     slightlyBeyond,
-    offer,
+    precedes,
     tried,
-    met,
   )
 where
 
@@ -48,23 +47,18 @@ slightlyBeyond :: Double -> Double
 slightlyBeyond t = t * (1 + boundSlack)
 {-# INLINE slightlyBeyond #-}
 
--- | Offers a shape's number and the parameter at which it is met. It is taken if that is nearer, or if it is as near and the number is lower.
+-- | Whether a shape that is met at a parameter comes before another, given by its parameter and number too: it is nearer,
+-- or as near and of a lower number.
 --
--- Law: what is taken in the end does not depend on the order of the offers.
-offer :: Int -> Double -> Closest -> Closest
-offer number t c@(Closest best found tests)
-  | t < best || (t == best && number < found) = Closest t number tests
-  | otherwise = c
-{-# INLINE offer #-}
+-- Law: what comes before all others does not depend on the order in which they are tried.
+--
+-- >>> (precedes 1 7 2 3, precedes 2 7 2 3, precedes 2 1 2 3)
+-- (True,False,True)
+precedes :: Double -> Int -> Double -> Int -> Bool
+precedes t number best found = t <= best && (t < best || number < found)
+{-# INLINE precedes #-}
 
 -- | So many more shapes were tried.
 tried :: Int -> Closest -> Closest
 tried n (Closest t number tests) = Closest t number (tests + n)
 {-# INLINE tried #-}
-
--- | The parameter and the shape's number, if anything is met.
-met :: Closest -> Maybe (Double, Int)
-met (Closest t number _)
-  | number < 0 = Nothing
-  | otherwise = Just (t, number)
-{-# INLINE met #-}

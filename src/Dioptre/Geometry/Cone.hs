@@ -36,14 +36,19 @@ module Dioptre.Geometry.Cone
     coneNormal,
     coneContains,
 
+    -- * Along a ray
+    ConeLine (..),
+    coneLine,
+
     -- * The unbounded double cone
     conesParameters,
   )
 where
 
 import Data.Maybe (fromMaybe)
-import Dioptre.Geometry.Cylinder (Interval (..), everywhere, nowhere, shared, slab)
-import Dioptre.Geometry.Ray (Ray, direction, origin, position)
+import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhere, slab)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
+import Dioptre.Geometry.Ray (Ray, direction, nextTo, origin, position)
 import Dioptre.Geometry.Tube (across)
 import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Roots (quadraticRoots)
@@ -62,7 +67,7 @@ import GHC.Exts (build)
 coneParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 coneParameters p1 s h radius r = build $ \cons nil ->
   let !(Crossing t0 curved ends) = crossing p1 s h radius r
-      !(Interval first final) = shared curved ends
+      !(Interval first final) = intersection curved ends
       !enter = t0 + first
       !leave = t0 + final
       !inside = leave - enter
@@ -74,28 +79,34 @@ coneParameters p1 s h radius r = build $ \cons nil ->
 data Crossing = Crossing !Double !Interval !Interval
 
 crossing :: Point -> Unit -> Double -> Double -> Ray -> Crossing
-crossing p1 s h radius r = Crossing t0 (half quadratic linear constant da) (slab (negate h) 0 a da)
+crossing p1 s h radius r = Crossing t0 (half equation da) (slab (negate h) 0 a da)
   where
-    d = direction r
-    -- Move the ray next to the apex.
-    far = (origin r - p1) - h *^ vector s
-    !t0 = negate (dot far d / dot d d)
-    w = far + t0 *^ d
-    -- Split it along and across the axis.
-    !a = dot w (vector s)
-    !da = dot d (vector s)
-    wPerp = across s w
-    dPerp = across s d
-    !ka = radius / h * a
-    !kda = radius / h * da
-    !quadratic = dot dPerp dPerp - kda * kda
-    !linear = 2 * (dot wPerp dPerp - kda * ka)
-    !constant = dot wPerp wPerp - ka * ka
+    ConeLine t0 equation a da = coneLine p1 s h radius r
 {-# NOINLINE crossing #-}
 
+-- | A ray's line, from its point nearest to the apex on: that point's parameter, t0; the equation of the double cone;
+-- and the line's height above the apex, a, and what it gains with t, da.
+data ConeLine = ConeLine Double Quadratic Double Double
+
+-- | The ray's line and the cone's equation.
+coneLine :: Point -> Unit -> Double -> Double -> Ray -> ConeLine
+coneLine p1 s h radius r =
+  ConeLine t0 (Quadratic (dot dPerp dPerp - kda * kda) (2 * (dot wPerp dPerp - kda * ka)) (dot wPerp wPerp - ka * ka)) a da
+  where
+    d = direction r
+    (t0, w) = nextTo ((origin r - p1) - h *^ vector s) d
+    -- Split it along and across the axis.
+    a = dot w (vector s)
+    da = dot d (vector s)
+    wPerp = across s w
+    dPerp = across s d
+    ka = radius / h * a
+    kda = radius / h * da
+{-# INLINE coneLine #-}
+
 -- | Where A t^2 + B t + C <= 0, in that half of it which is before the apex if A < 0. See Note [Halves].
-half :: Double -> Double -> Double -> Double -> Interval
-half a b c da = case quadraticRoots a b c of
+half :: Quadratic -> Double -> Interval
+half equation@(Quadratic a b c) da = case rootsOf equation of
   [x, y]
     | a > 0 -> Interval x y
     | da > 0 -> Interval (negate infinity) x
@@ -140,13 +151,14 @@ coneContains p1 s h radius v =
 -- every real parameter, ascending. None if the two points are equal.
 --
 -- > A t^2 + B t + C = 0,  with g = apex - point, w = o - apex:
--- > A = <g,g> <d x g, d x g> - R^2 <d,g>^2
--- > B = 2 (<g,g> <w x g, d x g> - R^2 <w,g> <d,g>)
--- > C = <g,g> <w x g, w x g> - R^2 <w,g>^2
+-- > A = <g,g> <d x g, d x g> - (R <d,g>) (R <d,g>)
+-- > B = 2 (<g,g> <w x g, d x g> - (R <w,g>) (R <d,g>))
+-- > C = <g,g> <w x g, w x g> - (R <w,g>) (R <w,g>)
 --
--- It is the equation above times \<g,g>^2. Nothing is divided and no root is taken, so that the coefficients, and with them the number of roots, are exact for
--- coordinates of few digits: a ray through the apex meets it twice at one parameter. The vector g and R are first divided
--- by a power of two that brings g near 1, which changes no root.
+-- It is the equation above times \<g,g>^2, and R is multiplied in first, as written. Nothing is divided and no root is
+-- taken, so that the coefficients, and with them the number of roots, are exact for coordinates of few digits: a ray
+-- through the apex meets it twice at one parameter. The vector g and R are first divided by a power of two that brings
+-- g near 1, which changes no root.
 --
 -- >>> conesParameters (V3 0 0 0) (V3 0 0 1) 1 (ray (V3 (-2) 0 0) (V3 1 0 0))
 -- [1.0,3.0]

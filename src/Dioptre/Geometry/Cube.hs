@@ -13,11 +13,10 @@
 -- >   |      |/
 -- >   +------+
 --
--- A cube is what three slabs share. A line crosses each slab in an interval, between the parameters of its two faces, and the
--- cube in the intersection of the three: from the last entry to the first exit, both included. Thus no ray slips through
--- an edge, and a ray that lies in a face hits the cube where it comes in. Source: T. Kay and J. Kajiya, "Ray tracing
--- complex scenes", SIGGRAPH 1986. Each face's parameter is the plane's, -\<n, o - P> \/ \<n, d> with P = C + h n, which for an axis
--- comes down to (P - o) \/ d in one coordinate, to the bit.
+-- A cube is what three slabs share. A line crosses each slab in an interval, between the parameters of its two faces,
+-- and the cube in what the three share ("Dioptre.Geometry.Interval"). Thus no ray slips through an edge, and a ray that
+-- lies in a face hits the cube where it comes in. Each face's parameter is the plane's, -\<n, o - P> \/ \<n, d> with
+-- P = C + h n, which for an axis comes down to (P - o) \/ d in one coordinate, to the bit.
 module Dioptre.Geometry.Cube
   ( -- * Constructing
     Cube,
@@ -32,6 +31,7 @@ module Dioptre.Geometry.Cube
   )
 where
 
+import Dioptre.Geometry.Interval (Interval (..), intersection, slab)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Order (finite, infinity, larger, smaller)
 import Dioptre.Math.Tolerance (surfaceThickness)
@@ -61,35 +61,17 @@ cubeParameters :: Point -> Double -> Ray -> [Double]
 cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
   let !(V3 ox oy oz) = origin r
       !(V3 dx dy dz) = direction r
-      !(Slab nearZ farZ) = slab (cz - h) (cz + h) oz dz
-      !(Slab nearY farY) = slab (cy - h) (cy + h) oy dy
-      !enterYZ = larger nearZ nearY
-      !leaveYZ = smaller farY farZ
-   in -- Most lines miss in two of the three slabs already. A ray whose numbers left the range on the way here has slabs from NaN to NaN: of two such ends the second one is kept, so that one of the
-      -- comparisons below is false.
+      !inYZ@(Interval enterYZ leaveYZ) = intersection (slab (cz - h) (cz + h) oz dz) (slab (cy - h) (cy + h) oy dy)
+   in -- Most lines miss in two of the three slabs already. A ray whose numbers left the range on the way here has slabs from NaN to NaN: of two such ends the second one is kept, so that
+      -- one of the comparisons below is false.
       if enterYZ <= leaveYZ
         then
-          let !(Slab nearX farX) = slab (cx - h) (cx + h) ox dx
-              !enter = larger enterYZ nearX
-              !leave = smaller leaveYZ farX
+          let !(Interval enter leave) = intersection inYZ (slab (cx - h) (cx + h) ox dx)
               !inside = leave - enter
            in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
               if inside >= 0 && finite inside then cons enter (cons leave nil) else nil
         else nil
 {-# INLINE cubeParameters #-}
-
--- | The interval in which a line is inside a slab.
-data Slab = Slab !Double !Double
-
--- | The interval of the line o + t d between two parallel faces. A line along the slab is in it everywhere or nowhere, and in
--- it when it lies in a face.
-slab :: Double -> Double -> Double -> Double -> Slab
-slab low high o d
-  | d > 0 = Slab ((low - o) / d) ((high - o) / d)
-  | d < 0 = Slab ((high - o) / d) ((low - o) / d)
-  | low <= o && o <= high = Slab (negate infinity) infinity
-  | otherwise = Slab infinity (negate infinity)
-{-# INLINE slab #-}
 
 -- | The outward normal of the face that a ray crosses at a parameter that 'cubeParameters' gave. On an edge, where it crosses
 -- several at once, it is the first one's in the order +z -z +y -y +x -x.

@@ -10,68 +10,40 @@
 -- >     (|                 |)         with v - P1 = v_perp + h S
 -- >      +-----------------+
 --
--- A cylinder is what an infinite round bar and the slab between two planes share. A line crosses the bar in an interval, between the two
--- roots of the tube, and the slab in another, and the cylinder in what they share: from the last entry to the first exit, both
--- included. So every line meets it in one interval or not at all, whichever way it comes: along the axis, where it is in the bar everywhere or
--- nowhere; in an end plane, where it is in the slab everywhere; through a rim, where it leaves the one as it enters the other.
+-- A cylinder is what an infinite round bar and the slab between two planes share. A line crosses the bar in an
+-- interval, between the two roots of the tube, and the slab in another, and the cylinder in what they share
+-- ("Dioptre.Geometry.Interval"). That holds whichever way the line comes: along the axis, where it is in the bar
+-- everywhere or nowhere; in an end plane, where it is in the slab everywhere; through a rim, where it leaves the one as
+-- it enters the other.
 module Dioptre.Geometry.Cylinder
   ( -- * Intersecting
     cylinderParameters,
     cylinderNormal,
     cylinderContains,
 
-    -- * Intervals of a line
-    Interval (..),
-    everywhere,
-    nowhere,
-    shared,
-    slab,
+    -- * The infinite bar
     bar,
   )
 where
 
+import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhere, slab)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
-import Dioptre.Geometry.Tube (across, tubeNormal)
-import Dioptre.Math.Order (infinity, larger, smaller)
-import Dioptre.Math.Roots (quadraticRoots)
+import Dioptre.Geometry.Tube (across, circle, tubeNormal)
 import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector)
 import GHC.Exts (build)
 
--- | The parameters from a first to a last, both included; none if the first is the greater. Either may be infinite.
-data Interval = Interval !Double !Double
-
--- | The whole line, and no part of it.
-everywhere, nowhere :: Interval
-everywhere = Interval (negate infinity) infinity
-nowhere = Interval infinity (negate infinity)
-{-# INLINE everywhere #-}
-{-# INLINE nowhere #-}
-
--- | What two intervals share: from the last entry to the first exit.
-shared :: Interval -> Interval -> Interval
-shared (Interval a b) (Interval c d) = Interval (larger a c) (smaller b d)
-{-# INLINE shared #-}
-
--- | Where the height h0 + t dh is from low to high. A line along the slab is in it everywhere or nowhere, and in it when it lies in an end plane.
-slab :: Double -> Double -> Double -> Double -> Interval
-slab low high h0 dh
-  | dh > 0 = Interval ((low - h0) / dh) ((high - h0) / dh)
-  | dh < 0 = Interval ((high - h0) / dh) ((low - h0) / dh)
-  | low <= h0 && h0 <= high = everywhere
-  | otherwise = nowhere
-{-# INLINE slab #-}
-
 -- | Where w_perp + t d_perp is no longer than R: between the roots of the tube. A line along the axis is in the bar everywhere or nowhere, and
 -- in it when it lies in its surface.
 bar :: Double -> Vector -> Vector -> Interval
-bar radius wPerp dPerp = case quadraticRoots (dot dPerp dPerp) (2 * dot wPerp dPerp) c of
+bar radius wPerp dPerp = case rootsOf equation of
   [enter, leave] -> Interval enter leave
   _
     | c <= 0 -> everywhere
     | otherwise -> nowhere
   where
-    !c = dot wPerp wPerp - radius * radius
+    equation@(Quadratic _ _ c) = circle radius wPerp dPerp
 {-# INLINE bar #-}
 
 -- | Where a ray's line meets the cylinder from P1 along the unit axis S, of length H and radius R: where it enters and where it leaves, or nothing.
@@ -80,10 +52,10 @@ bar radius wPerp dPerp = case quadraticRoots (dot dPerp dPerp) (2 * dot wPerp dP
 -- the tube has, bit for bit.
 cylinderParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 cylinderParameters p1 s h radius r = build $ \cons nil ->
-  let !(Interval enter leave) = shared (curvedPart p1 s radius r) (between p1 s h r)
+  let !(Interval enter leave) = intersection (curvedPart p1 s radius r) (between p1 s h r)
       !inside = leave - enter
    in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
-      if inside >= 0 && inside < infinity then cons enter (cons leave nil) else nil
+      if inside >= 0 && inside < 1 / 0 then cons enter (cons leave nil) else nil
 {-# INLINE cylinderParameters #-}
 
 -- | Where the line is in the infinite bar.

@@ -21,7 +21,7 @@ import Data.Primitive.PrimArray
 import Data.Primitive.SmallArray
 import Data.Vector (Vector)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Closest (Closest (..), slightlyBeyond)
+import Dioptre.Geometry.Closest (Closest (..), precedes, slightlyBeyond)
 import Dioptre.Geometry.Prepared (Prepared, firstAhead, nearest, preparedSphere)
 import Dioptre.Geometry.Ray (Ray)
 import Dioptre.Geometry.Sphere (sphereClearlyMissed, sphereParametersAhead)
@@ -77,7 +77,7 @@ closestInHandful h !r !bound = amongOthers 0 (-1) bound
       | otherwise =
         let !t = firstAhead (sphereAt h i sphereParametersAhead r) (slightlyBeyond best)
             !mine = indexPrimArray (numbers h) i
-         in if t < best || (t == best && mine < number) then amongSpheres (i + 1) mine t else amongSpheres (i + 1) number best
+         in if precedes t mine best number then amongSpheres (i + 1) mine t else amongSpheres (i + 1) number best
 {-# NOINLINE closestInHandful #-}
 
 -- | Goes through the shapes that a ray meets nearer than a bound, in a fixed order: for each, what to do with how many shapes have been tried, this one included, with its number, with the result so far, and

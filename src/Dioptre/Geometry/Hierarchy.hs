@@ -45,9 +45,9 @@ import Data.Bits (shiftL, shiftR, (.&.), (.|.))
 import Data.Primitive.ByteArray
 import Data.Primitive.PrimArray
 import Data.Word (Word64)
-import Dioptre.Geometry.Bounds (Approach, Box, box, boxHigh, boxLow, meets, runsDown)
-import Dioptre.Geometry.Partition
-import Dioptre.Math.Order (infinity)
+import Dioptre.Geometry.Box (Approach, Box, box, boxFace, meets, runsDown)
+import Dioptre.Geometry.Link
+import Dioptre.Geometry.Partition (Part (..), partition)
 import Linear.V3 (V3 (..))
 
 -- | Boxes in boxes over items that are known by their numbers, from 0 up.
@@ -85,7 +85,7 @@ faceOf h node k = indexByteArray (nodes h) (node + k)
 {-# INLINE faceOf #-}
 
 -- | The link of a node.
-linkOf :: Hierarchy -> Int -> Int
+linkOf :: Hierarchy -> Int -> Link
 linkOf h node = indexByteArray (nodes h) (node + 6)
 {-# INLINE linkOf #-}
 
@@ -146,8 +146,8 @@ hierarchy :: Int -> (Int -> Maybe Box) -> Hierarchy
 hierarchy n boxOf
   | sizeofPrimArray bounded == 0 = Hierarchy unbounded (sizeofPrimArray unbounded) (toNodes mempty mempty) 0 0
   | otherwise = case partition boxes bounded of
-    Part f l o depth ->
-      Hierarchy (unbounded <> o) (sizeofPrimArray unbounded) (toNodes f (mapPrimArray (leafAfter (sizeofPrimArray unbounded)) l)) (sizeofPrimArray l) depth
+    Part faces links order depth ->
+      Hierarchy (unbounded <> order) (sizeofPrimArray unbounded) (toNodes faces (mapPrimArray (leafAfter (sizeofPrimArray unbounded)) links)) (sizeofPrimArray links) depth
   where
     bounded = filterPrimArray hasBox everything
     unbounded = filterPrimArray (not . hasBox) everything
@@ -158,34 +158,27 @@ hierarchy n boxOf
       target <- newPrimArray (6 * n)
       let fill !i = when (i < n) $ do
             case boxOf i of
-              Nothing -> writePrimArray target (6 * i) infinity >> setPrimArray target (6 * i + 1) 5 0
-              Just b -> case (boxLow b, boxHigh b) of
-                (V3 lx ly lz, V3 hx hy hz) -> do
-                  writePrimArray target (6 * i) lx
-                  writePrimArray target (6 * i + 1) ly
-                  writePrimArray target (6 * i + 2) lz
-                  writePrimArray target (6 * i + 3) hx
-                  writePrimArray target (6 * i + 4) hy
-                  writePrimArray target (6 * i + 5) hz
+              Nothing -> writePrimArray target (6 * i) (1 / 0) >> setPrimArray target (6 * i + 1) 5 0
+              Just b -> forM_ [0 .. 5] $ \k -> writePrimArray target (6 * i + k) (boxFace b k)
             fill (i + 1)
       fill 0
       pure target
 
 -- | Nodes as they are stored, from their faces and links; the forks above them are found.
-toNodes :: PrimArray Double -> PrimArray Int -> ByteArray
-toNodes f l = runByteArray $ do
+toNodes :: PrimArray Double -> PrimArray Link -> ByteArray
+toNodes faces links = runByteArray $ do
   target <- newByteArray (8 * nodeWords * count)
   forM_ [0 .. count - 1] $ \node -> do
     let at = nodeWords * node
-    forM_ [0 .. 5] $ \k -> writeByteArray target (at + k) (indexPrimArray f (6 * node + k))
-    writeByteArray target (at + 6) (indexPrimArray l node)
+    forM_ [0 .. 5] $ \k -> writeByteArray target (at + k) (indexPrimArray faces (6 * node + k))
+    writeByteArray target (at + 6) (indexPrimArray links node)
     when (node == 0) $ writeByteArray target 7 (0 :: Int)
-    unless (isLeaf (indexPrimArray l node)) $ do
+    unless (isLeaf (indexPrimArray links node)) $ do
       writeByteArray target (at + nodeWords + 7) at
-      writeByteArray target (at + wordsAhead (indexPrimArray l node) + 7) at
+      writeByteArray target (at + wordsAhead (indexPrimArray links node) + 7) at
   pure target
   where
-    count = sizeofPrimArray l
+    count = sizeofPrimArray links
 
 -- Note [A trail instead of a stack]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~

@@ -33,7 +33,19 @@
 -- share, less the insides of those taken away: in as many as three intervals, where both faces are hollow. All
 -- of them are intervals between the same few numbers, so that there is nothing to slip through at a rim.
 module Dioptre.Geometry.Lens
-  ( -- * Intersecting
+  ( -- * Constructing
+    Lens,
+    lens,
+    lensBody,
+    lensCurvatures,
+
+    -- * Along a ray
+    LensLine (..),
+    Face (..),
+    lensLine,
+    faceEquation,
+
+    -- * Intersecting
     lensParameters,
     LensPart (..),
     lensPart,
@@ -42,14 +54,37 @@ module Dioptre.Geometry.Lens
   )
 where
 
-import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, sphereOver)
-import Dioptre.Geometry.Cylinder (Interval (..), bar, everywhere, nowhere, shared)
-import Dioptre.Geometry.Ray (Ray, direction, origin, position)
+import Dioptre.Geometry.Axis (Round, axisLength, roundAxis, roundRadius)
+import Dioptre.Geometry.Cap (beyondSphere, capNormal, centreDepth, faceDepth, sphereOver)
+import Dioptre.Geometry.Cylinder (bar)
+import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhere)
+import Dioptre.Geometry.Quadratic (Quadratic, rootsOf)
+import Dioptre.Geometry.Ray (Ray, direction, nextTo, origin, position)
 import Dioptre.Geometry.Tube (across, tubeNormal)
 import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Tolerance (rimOverlap, roundThickness, surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector, (*^))
 import GHC.Exts (build)
+
+-- | A lens: its rim, and the signed radii of curvature of its faces at P1 and at P2, positive where the face bulges
+-- outwards.
+data Lens = Lens
+  { -- | The axis and the rim.
+    lensBody :: Round,
+    -- | The radii of curvature at P1 and P2.
+    lensCurvatures :: (Double, Double)
+  }
+  deriving stock (Eq, Show)
+
+-- | 'Nothing' unless both spheres reach the rim and the lens has a thickness on its axis: |c1| >= R, |c2| >= R and
+-- L + s1(0) + s2(0) > 0, with s the 'faceDepth'.
+lens :: Round -> (Double, Double) -> Maybe Lens
+lens body curvatures@(c1, c2)
+  | abs c1 < r || abs c2 < r = Nothing
+  | axisLength (roundAxis body) + faceDepth r c1 + faceDepth r c2 > 0 = Just (Lens body curvatures)
+  | otherwise = Nothing
+  where
+    r = roundRadius body
 
 -- | Where a ray's line enters and leaves the lens whose axis starts at P1 in the unit direction S and has the length L, whose rim has the radius R, and whose
 -- faces have the signed radii of curvature c1 (at P1) and c2: every entry and exit, ascending; up to three of each.
@@ -65,29 +100,58 @@ lensParameters p1 s l radius c1 c2 r = build $ \cons nil ->
 data Parts = Parts !Double !Interval !Bool !Interval !Bool !Interval
 
 parts :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Parts
-parts p1 s l radius c1 c2 r = Parts t0 inBar (c1 > 0) (faceAt c1 (opposite s) 1) (c2 > 0) (faceAt c2 s (-1))
+parts p1 s l radius c1 c2 r = Parts t0 inBar (c1 > 0) (dome radius start d inBar) (c2 > 0) (dome radius end d inBar)
+  where
+    d = direction r
+    LensLine t0 w start end = lensLine p1 s l radius c1 c2 r
+    inBar = bar radius (across s w) (across s d)
+{-# NOINLINE parts #-}
+
+-- | A ray's line, from its point nearest to the middle of the axis on: that point's parameter, t0; the point itself, w,
+-- measured from the middle; and the line as the faces at P1 and at P2 see it.
+data LensLine = LensLine Double Vector Face Face
+
+-- | A face, and the line w + t d as it sees it.
+data Face = Face
+  { -- | The axis q, to the side on which the sphere bulges.
+    faceAxis :: Vector,
+    -- | How far the sphere's centre is behind the rim's plane: m, not negative.
+    faceCentre :: Double,
+    -- | The point w, measured from the middle of the face's rim: p.
+    faceStart :: Vector,
+    -- | The parameter of the line's point nearest to that middle, t1, for a lens much longer than wide.
+    faceShift :: Double,
+    -- | That point, p + t1 d.
+    facePoint :: Vector
+  }
+
+-- | The ray's line, seen from the lens.
+lensLine :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> LensLine
+lensLine p1 s l radius c1 c2 r = LensLine t0 w (face c1 (opposite s) 1) (face c2 s (-1))
   where
     d = direction r
     halfAxis = (l / 2) *^ vector s
-    -- Move the ray next to the middle of the lens.
-    far = (origin r - p1) - halfAxis
-    !t0 = negate (dot far d / dot d d)
-    w = far + t0 *^ d
-    inBar = bar radius (across s w) (across s d)
-    faceAt c outward side = dome (signum c *^ vector outward) radius (abs (centreDepth radius c)) (w + (side :: Double) *^ halfAxis) d inBar
-{-# NOINLINE parts #-}
+    (t0, w) = nextTo ((origin r - p1) - halfAxis) d
+    face c outward side = Face (signum c *^ vector outward) (abs (centreDepth radius c)) p t1 near
+      where
+        p = w + (side :: Double) *^ halfAxis
+        (t1, near) = nextTo p d
+{-# INLINE lensLine #-}
+
+-- | The equation of a face's sphere, for a lens of that radius and the line's direction, counted from t1 on.
+faceEquation :: Double -> Face -> Vector -> Quadratic
+faceEquation radius face = sphereOver (faceAxis face) radius (faceCentre face) (facePoint face)
+{-# INLINE faceEquation #-}
 
 -- | Where a line that is in the bar in a given interval is in the dome as well; an end of the interval that is in the dome, and is thus
 -- no end that the dome makes, becomes infinite. See Note [Domes].
-dome :: Vector -> Double -> Double -> Vector -> Vector -> Interval -> Interval
-dome q radius m p d (Interval enter leave) = case sphereOver q radius m (p + t1 *^ d) d of
-  [x, y] -> Interval (if below enter then negate infinity else t1 + x) (if below leave then infinity else t1 + y)
+dome :: Double -> Face -> Vector -> Interval -> Interval
+dome radius face d (Interval enter leave) = case rootsOf (faceEquation radius face d) of
+  [x, y] -> Interval (if below enter then negate (1 / 0) else faceShift face + x) (if below leave then 1 / 0 else faceShift face + y)
   _ -> Interval low high
   where
-    -- Move on to the point nearest to this face, for a lens much longer than wide.
-    !t1 = negate (dot p d / dot d d)
     below t = low <= t && t <= high
-    !(Interval low high) = under (negate m) (dot p q) (dot d q)
+    !(Interval low high) = under (negate (faceCentre face)) (dot (faceStart face) (faceAxis face)) (dot d (faceAxis face))
 
 -- | Where the height h0 + t dh is at most that high.
 under :: Double -> Double -> Double -> Interval
@@ -106,7 +170,7 @@ intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
       abs (t0 + leave) < infinity
   ]
   where
-    kept = shared inBar (shared (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
+    kept = intersection inBar (intersection (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
     hollows = [dome1 | not bulges1] ++ [dome2 | not bulges2]
 
 -- | An interval as a list of none or one. One whose ends passed each other by no more than the 'rimOverlap' of the numbers involved touches a rim, and

@@ -6,332 +6,394 @@
 -- Module      : Dioptre.Geometry.Partition
 -- Description : How boxes are best put into boxes
 --
--- >   . . .|. . . . .|. .      bins along a coordinate; between them are the planes to choose from
--- >    a  a|    b    | cc
--- >   A1 n1 + A2 n2 is least   A: the area of the box around the items of a side, n: how many there are
+-- Items, each in its box, are split in two where a ray's expected work is least, each part again, and so on until few
+-- are left. Of the rays that come into a box, the share that also comes into one inside it is the ratio of their areas.
+-- So, counted in tests of an item, a ray in the box of n items, of area A, costs
 --
--- Items, each in its box, are split in two where a ray's expected work is least, each part again, and so on until few are left.
+-- > as a leaf:   n
+-- > as a fork:   c + (A1 n1 + A2 n2) / A       c: what going through the fork costs; n1 and n2 items in the parts, of areas A1 and A2
+--
+-- The planes to choose from are those between equal bins along each coordinate. An item is counted in the bin of its
+-- centre, once for each coordinate; then the bins are swept from both sides, and each plane's A1 n1 + A2 n2 is known.
+-- Four unit cubes, at x = 0, 1, 7 and 8 (A is half of the area throughout, which changes nothing):
+--
+-- >   | 0 : 1 |       |       | 7 : 8 |      four bins of 2 between the first centre and the last
+-- >           1       2       3
+-- >
+-- >   plane            A1    n1   A2    n2   A1 n1 + A2 n2
+-- >     1               5     2    5     2       20          taken: the first of equals
+-- >     2, 3            the same                 20
+-- >
+-- >   a leaf:  A n = 19 4 = 76         a fork:  c A + 20 = 19 + 20 = 39, which is less
+--
+-- Each of the two parts, of two cubes side by side, then stays a leaf: 5 2 = 10 against 5 + 3 1 + 3 1 = 11.
 --
 -- Sources:
 --
--- * J. Goldsmith, J. Salmon, /Automatic Creation of Object Hierarchies for Ray Tracing/, IEEE CG&A 7(5) (1987): the chance that a ray that meets a box meets another one inside
---   it is the ratio of their areas.
+-- * J. Goldsmith, J. Salmon, /Automatic Creation of Object Hierarchies for Ray Tracing/, IEEE CG&A 7(5) (1987): the ratio of the areas.
 -- * I. Wald, /On fast Construction of SAH-based Bounding Volume Hierarchies/, RT 2007: choosing among a few planes by counting into bins.
 module Dioptre.Geometry.Partition
-  ( -- * Parts
+  ( partition,
     Part (..),
-    partition,
-
-    -- * Links
-    nodeWords,
-    isLeaf,
-    leafAfter,
-    placesOf,
-    coordinateOf,
-    wordsAhead,
   )
 where
 
-import Control.Monad (forM_, when)
+import Control.Monad (when)
 import Control.Monad.ST (ST, runST)
-import Data.Bits (complement, shiftL, shiftR, (.&.), (.|.))
 import Data.Primitive.PrimArray
-import Dioptre.Math.Order (larger, smaller)
+import Dioptre.Geometry.Link
 import GHC.Conc (par, pseq)
 
--------------------------------------------------------------------------------
--- Links
-
--- The lowest bit tells leaves from forks. A leaf holds its first place above bit 32 and how many items it has below; a fork the coordinate along which its parts lie in two bits, and above
--- them, from bit 3 on, how many nodes ahead the second part is. With the three bits cleared that is how many words ahead it is, since a node has eight.
-
--- | How many words a node takes. (The links of forks count on it.)
-nodeWords :: Int
-nodeWords = 8
-
--- | The link of a leaf: from that place on, so many items.
-leafLink :: Int -> Int -> Int
-leafLink place n = (place `shiftL` 32) .|. (n `shiftL` 1) .|. 1
-
--- | The link of a fork: the second part is so many nodes ahead, and along that coordinate its items have the greater centres.
-forkLink :: Int -> Int -> Int
-forkLink ahead coordinate = (ahead `shiftL` 3) .|. (coordinate `shiftL` 1)
-
--- | The places of a leaf.
-placesOf :: Int -> (Int, Int)
-placesOf link = let place = link `shiftR` 32 in (place, place + ((link `shiftR` 1) .&. 0x7fffffff))
-{-# INLINE placesOf #-}
-
--- | Whether a link is a leaf's.
-isLeaf :: Int -> Bool
-isLeaf link = link .&. 1 == 1
-{-# INLINE isLeaf #-}
-
--- | The coordinate along which the parts of a fork lie: 0, 1, 2 for x, y, z.
-coordinateOf :: Int -> Int
-coordinateOf link = (link `shiftR` 1) .&. 3
-{-# INLINE coordinateOf #-}
-
--- | How many words ahead the second part of a fork is: so many nodes of 'nodeWords' each.
-wordsAhead :: Int -> Int
-wordsAhead link = link .&. complement 7
-{-# INLINE wordsAhead #-}
-
--- | The same link where the items stand so many places farther on.
-leafAfter :: Int -> Int -> Int
-leafAfter n link = if isLeaf link then link + (n `shiftL` 32) else link
-{-# INLINE leafAfter #-}
+-- | Some items put into boxes. Places count from the part's own first item.
+data Part = Part
+  { -- | Six numbers a node, depth first: low x, y, z, high x, y, z.
+    partFaces :: !(PrimArray Double),
+    -- | A link a node.
+    partLinks :: !(PrimArray Link),
+    -- | The items, leaf by leaf.
+    partOrder :: !(PrimArray Int),
+    -- | How many boxes are around one item at most.
+    partDepth :: !Int
+  }
 
 -------------------------------------------------------------------------------
--- Parts
+-- Limits
 
--- | Some items put into boxes: the nodes' faces (six numbers each: low x, y, z, high x, y, z) and links, depth first; the items in their order; and how many boxes are around one item at most. Places count from its own first item.
-data Part = Part !(PrimArray Double) !(PrimArray Int) !(PrimArray Int) !Int
+-- | What going through a fork costs, in tests of an item: c.
+forkCost :: Double
+forkCost = 1
 
--- | Parts of more items than this are built side by side with their neighbours.
-worthwhile :: Int
-worthwhile = 8192
+-- | A leaf has at most so many items, if their centres differ.
+largestLeaf :: Int
+largestLeaf = 8
 
--- | The part that has these items, at least one, given the boxes of all (six numbers each).
---
--- Cost: O(n log n), some 150 bytes an item while it works. Large parts are built in parallel. Items whose boxes have one centre stay together in a leaf, however many they are.
-partition :: PrimArray Double -> PrimArray Int -> Part
-partition boxes = grow boxes 0
-
--- | The same below so many forks.
-grow :: PrimArray Double -> Int -> PrimArray Int -> Part
-grow boxes !level items
-  | sizeofPrimArray items <= worthwhile || level >= chosen = growAlone boxes level items
-  | otherwise = case splitting boxes items of
-    Nothing -> growAlone boxes level items
-    Just (coordinate, left, right) ->
-      let first = grow boxes (level + 1) left
-          second = grow boxes (level + 1) right
-       in second `par` (first `pseq` joined coordinate first second)
-
--- | Two parts under a common box.
-joined :: Int -> Part -> Part -> Part
-joined coordinate (Part f1 l1 o1 d1) (Part f2 l2 o2 d2) =
-  Part (outer <> f1 <> f2) (primArrayFromList [forkLink (1 + sizeofPrimArray l1) coordinate] <> l1 <> mapPrimArray moved l2) (o1 <> o2) (1 + max d1 d2)
-  where
-    outer = generatePrimArray 6 (\k -> (if k < 3 then lower else upper) (indexPrimArray f1 k) (indexPrimArray f2 k))
-    moved = leafAfter (sizeofPrimArray o1)
-
--- | How one part of the items is best split in two: the coordinate, and the items of either side; 'Nothing' if they had better stay together.
-splitting :: PrimArray Double -> PrimArray Int -> Maybe (Int, PrimArray Int, PrimArray Int)
-splitting boxes items = runST $ do
-  order <- thawPrimArray items 0 n
-  bins <- newBins
-  found <- split boxes order bins 0 n
-  case found of
-    Together -> pure Nothing
-    Apart coordinate middle -> do
-      left <- freezePrimArray order 0 middle
-      right <- freezePrimArray order middle (n - middle)
-      pure (Just (coordinate, left, right))
-  where
-    n = sizeofPrimArray items
-
--- | The same, built by one worker.
-growAlone :: PrimArray Double -> Int -> PrimArray Int -> Part
-growAlone boxes above items = runST $ do
-  order <- thawPrimArray items 0 n
-  bins <- newBins
-  nodeFaces <- newPrimArray (6 * (2 * n - 1))
-  nodeLinks <- newPrimArray (2 * n - 1)
-  let face node k = readPrimArray nodeFaces (6 * node + k)
-      go !node !level !lo !hi = do
-        found <- if level < chosen then split boxes order bins lo hi else pure (if level < deepest then Apart 0 ((lo + hi) `div` 2) else Together)
-        case found of
-          Apart coordinate middle | hi - lo > 1 -> do
-            Grown second d1 <- go (node + 1) (level + 1) lo middle
-            Grown end d2 <- go second (level + 1) middle hi
-            forM_ [0 .. 5] $ \k -> do
-              a <- face (node + 1) k
-              b <- face second k
-              writePrimArray nodeFaces (6 * node + k) ((if k < 3 then lower else upper) a b)
-            writePrimArray nodeLinks node (forkLink (second - node) coordinate)
-            pure (Grown end (1 + max d1 d2))
-          _ -> do
-            forM_ [0 .. 5] $ \k -> do
-              first <- readPrimArray order lo
-              writePrimArray nodeFaces (6 * node + k) (indexPrimArray boxes (6 * first + k))
-              forM_ [lo + 1 .. hi - 1] $ \place -> do
-                item <- readPrimArray order place
-                before <- face node k
-                writePrimArray nodeFaces (6 * node + k) ((if k < 3 then lower else upper) before (indexPrimArray boxes (6 * item + k)))
-            writePrimArray nodeLinks node (leafLink lo (hi - lo))
-            pure (Grown (node + 1) 1)
-  Grown count depth <- go 0 above 0 n
-  shrinkMutablePrimArray nodeFaces (6 * count)
-  shrinkMutablePrimArray nodeLinks count
-  Part <$> unsafeFreezePrimArray nodeFaces <*> unsafeFreezePrimArray nodeLinks <*> unsafeFreezePrimArray order <*> pure depth
-  where
-    n = sizeofPrimArray items
-
--- | The next free node, and the depth of what was built.
-data Grown = Grown !Int !Int
-
--- | Below so many forks, items are halved as they come. Choosing well seldom goes so deep; where it does, each choice takes few items away, and would make the building slow.
-chosen :: Int
-chosen = 40
-
--- | Below so many forks, items stay together, as a trail ends. It takes 2^22 items below the 40th fork to come so far.
-deepest :: Int
-deepest = 62
-
--- | Whether items are better in one leaf or in two parts: along which coordinate, and before which place the second one begins.
-data Split = Together | Apart !Int !Int
-
--- | Items are counted by the places of their centres, in at most so many bins along each coordinate.
-binCount :: Int
-binCount = 16
+-- | Items are counted in at most so many bins along each coordinate.
+mostBins :: Int
+mostBins = 16
 
 -- | In how many bins so many items are counted: clearing and comparing more of them than there are items would take longer than all the rest.
 binsFor :: Int -> Int
 binsFor n
   | n <= 8 = 4
   | n <= 32 = 8
-  | otherwise = binCount
+  | otherwise = mostBins
 
--- | A leaf has at most so many items, if their centres differ.
-largestLeaf :: Int
-largestLeaf = 8
+-- | Parts of more items than this are built side by side with their neighbours.
+parallelAbove :: Int
+parallelAbove = 8192
 
--- | What going through a fork costs, in tests of an item.
-forkCost :: Double
-forkCost = 1
+-- | Below so many forks, items are halved as they come. Choosing well seldom goes so deep; where it does, each choice takes few items away, and would make the building slow.
+deepestChoice :: Int
+deepestChoice = 40
 
--- | For each coordinate and bin, how many items there are and the box around them; and room for the areas of what is to the right.
-data Bins s = Bins !(MutablePrimArray s Int) !(MutablePrimArray s Double) !(MutablePrimArray s Double)
+-- | Below so many forks, items stay together, as a ray's trail ends ("Dioptre.Geometry.Hierarchy"). It takes 2^22 items
+-- below the 40th fork to come so far.
+deepestFork :: Int
+deepestFork = 62
 
-newBins :: ST s (Bins s)
-newBins = Bins <$> newPrimArray (3 * binCount) <*> newPrimArray (3 * binCount * 6) <*> newPrimArray binCount
+-------------------------------------------------------------------------------
+-- Splitting again and again
 
--- | Splits the items at some places, moving those of the first part to the front.
+-- | The part that has these items, at least one, given the boxes of all (six numbers each).
 --
--- The expected cost of a ray that comes into the box of n items is n for a leaf, and @forkCost@ + (A1 n1 + A2 n2) \/ A for a fork, the A being the areas of the boxes. The planes between
--- the bins are compared, of all three coordinates.
-split :: PrimArray Double -> MutablePrimArray s Int -> Bins s -> Int -> Int -> ST s Split
-split boxes order (Bins counts bounds areas) !lo !hi
-  | hi - lo <= 1 = pure Together
+-- Cost: O(n log n), some 150 bytes an item while it works. Large parts are built in parallel. Items whose boxes have one centre stay together in a leaf, however many they are.
+partition :: PrimArray Double -> PrimArray Int -> Part
+partition boxes = together boxes 0
+
+-- | The part below so many forks, built by as many workers as it is worth.
+together :: PrimArray Double -> Int -> PrimArray Int -> Part
+together boxes !level items
+  | n <= parallelAbove || level >= deepestChoice = alone boxes level items
+  | otherwise = case halves of
+    Nothing -> alone boxes level items
+    Just (coordinate, left, right) ->
+      let first = together boxes (level + 1) left
+          second = together boxes (level + 1) right
+       in second `par` (first `pseq` fork coordinate first second)
+  where
+    n = sizeofPrimArray items
+    halves = runST $ do
+      order <- thawPrimArray items 0 n
+      bins <- newBins
+      choice <- bestSplit boxes order bins 0 n
+      case choice of
+        Together -> pure Nothing
+        Apart coordinate middle -> do
+          left <- freezePrimArray order 0 middle
+          right <- freezePrimArray order middle (n - middle)
+          pure (Just (coordinate, left, right))
+
+-- | Two parts under a common box.
+fork :: Int -> Part -> Part -> Part
+fork coordinate (Part f1 l1 o1 d1) (Part f2 l2 o2 d2) =
+  Part
+    { partFaces = primArrayFromList (facesOf (extentOf f1 0 `both` extentOf f2 0)) <> f1 <> f2,
+      partLinks = primArrayFromList [forkLink (1 + sizeofPrimArray l1) coordinate] <> l1 <> mapPrimArray (leafAfter (sizeofPrimArray o1)) l2,
+      partOrder = o1 <> o2,
+      partDepth = 1 + max d1 d2
+    }
+
+-- | The part below so many forks, built by one worker: in place, node after node.
+alone :: PrimArray Double -> Int -> PrimArray Int -> Part
+alone boxes above items = runST $ do
+  order <- thawPrimArray items 0 n
+  bins <- newBins
+  faces <- newPrimArray (6 * (2 * n - 1))
+  links <- newPrimArray (2 * n - 1)
+  -- The items at some places, from a node on, below so many forks.
+  let build !node !level !lo !hi = do
+        choice <- choose level lo hi
+        case choice of
+          Apart coordinate middle | hi - lo > 1 -> do
+            Built second d1 <- build (node + 1) (level + 1) lo middle
+            Built next d2 <- build second (level + 1) middle hi
+            first <- readExtent faces (node + 1)
+            other <- readExtent faces second
+            writeExtent faces node (first `both` other)
+            writePrimArray links node (forkLink (second - node) coordinate)
+            pure (Built next (1 + max d1 d2))
+          _ -> do
+            first <- readPrimArray order lo
+            around <- overPlaces order (lo + 1) hi (extentOf boxes first) (\e item -> pure (e `both` extentOf boxes item))
+            writeExtent faces node around
+            writePrimArray links node (leafLink lo (hi - lo))
+            pure (Built (node + 1) 1)
+      choose !level !lo !hi
+        | level < deepestChoice = bestSplit boxes order bins lo hi
+        | level < deepestFork = pure (Apart 0 ((lo + hi) `div` 2))
+        | otherwise = pure Together
+  Built nodes depth <- build 0 above 0 n
+  shrinkMutablePrimArray faces (6 * nodes)
+  shrinkMutablePrimArray links nodes
+  Part <$> unsafeFreezePrimArray faces <*> unsafeFreezePrimArray links <*> unsafeFreezePrimArray order <*> pure depth
+  where
+    n = sizeofPrimArray items
+
+-- | The next free node, and the depth of what was built.
+data Built = Built !Int !Int
+
+-------------------------------------------------------------------------------
+-- The best split
+
+-- | Whether items are better in one leaf or in two parts: along which coordinate, and before which place the second one begins.
+data Split = Together | Apart !Int !Int
+
+-- | Splits the items at some places as is expected to be cheapest, moving those of the first part to the front.
+bestSplit :: PrimArray Double -> MutablePrimArray s Int -> Bins s -> Int -> Int -> ST s Split
+bestSplit boxes order bins !lo !hi
+  | n <= 1 = pure Together
   | otherwise = do
-    Centres x0 y0 z0 x1 y1 z1 <- centres
-    let scaleOf from to = let s = fromIntegral bins * 0x0.fffffffffffp0 / (to - from) in if to > from && s < 1 / 0 then s else 0
-        !sx = scaleOf x0 x1
-        !sy = scaleOf y0 y1
-        !sz = scaleOf z0 z1
-    if sx == 0 && sy == 0 && sz == 0
+    -- See how far the centres reach, and lay the bins out along that.
+    Extent x0 y0 z0 x1 y1 z1 <- overPlaces order lo hi nothing (\e item -> pure (e `both` centreOf boxes item))
+    let !alongX = ruler used x0 x1
+        !alongY = ruler used y0 y1
+        !alongZ = ruler used z0 z1
+    if isFlat alongX && isFlat alongY && isFlat alongZ
       then pure Together
       else do
-        empty
-        forPlaces $ \item -> do
-          count item 0 (binOf item 0 x0 sx)
-          count item 1 (binOf item 1 y0 sy)
-          count item 2 (binOf item 2 z0 sz)
-        area <- total
-        b0 <- if sx == 0 then pure worst else sweep 0 worst
-        b1 <- if sy == 0 then pure b0 else sweep 1 b0
-        Choice cost coordinate bin <- if sz == 0 then pure b1 else sweep 2 b1
+        -- Count the items into the bins of each coordinate.
+        clear bins (3 * used)
+        overPlaces order lo hi () $ \() item -> do
+          let !(Extent x y z _ _ _) = centreOf boxes item
+              !around = extentOf boxes item
+          count bins (slot used 0 (binAt alongX x)) around
+          count bins (slot used 1 (binAt alongY y)) around
+          count bins (slot used 2 (binAt alongZ z)) around
+        -- Sweep the planes between the bins. (Any coordinate's bins hold all items, also where all are in the first.)
+        area <- halfArea <$> overBins bins used
+        planeX <- sweep bins used n 0 alongX (Plane (1 / 0) (-1) 0)
+        planeXY <- sweep bins used n 1 alongY planeX
+        Plane cost coordinate bin <- sweep bins used n 2 alongZ planeXY
+        -- Compare the best of them with a leaf.
         if coordinate < 0 || (n <= largestLeaf && fromIntegral n * area <= forkCost * area + cost)
           then pure Together
           else do
-            let (from, scale) = case coordinate of
-                  0 -> (x0, sx)
-                  1 -> (y0, sy)
-                  _ -> (z0, sz)
-            middle <- divided (\item -> binOf item coordinate from scale <= bin)
-            pure (Apart coordinate middle)
+            let isFirst item = case (coordinate, centreOf boxes item) of
+                  (0, Extent x _ _ _ _ _) -> binAt alongX x <= bin
+                  (1, Extent _ y _ _ _ _) -> binAt alongY y <= bin
+                  (_, Extent _ _ z _ _ _) -> binAt alongZ z <= bin
+            Apart coordinate <$> moveToFront order lo hi isFirst
   where
     !n = hi - lo
-    !bins = binsFor n
-    worst = Choice (1 / 0) (-1) 0
-    -- Twice the centre, in one coordinate. Items are below the number of boxes, and bins below theirs.
-    centre item k = indexPrimArray boxes (6 * item + k) + indexPrimArray boxes (6 * item + k + 3)
-    binOf item k from scale = truncate ((centre item k - from) * scale) :: Int
-    forPlaces act = let go !i = when (i < hi) (readPrimArray order i >>= act >> go (i + 1)) in go lo
-    {-# INLINE forPlaces #-}
-    centres = go lo (1 / 0) (1 / 0) (1 / 0) (-1 / 0) (-1 / 0) (-1 / 0)
-      where
-        go !i !x0 !y0 !z0 !x1 !y1 !z1
-          | i >= hi = pure (Centres x0 y0 z0 x1 y1 z1)
-          | otherwise = do
-            item <- readPrimArray order i
-            let !x = centre item 0
-                !y = centre item 1
-                !z = centre item 2
-            go (i + 1) (lower x0 x) (lower y0 y) (lower z0 z) (upper x1 x) (upper y1 y) (upper z1 z)
-    empty = do
-      let go !b = when (b < 3 * bins) $ do
-            writePrimArray counts b 0
-            let side !k = when (k < 3) $ do
-                  writePrimArray bounds (6 * b + k) (1 / 0)
-                  writePrimArray bounds (6 * b + k + 3) (-1 / 0)
-                  side (k + 1)
-            side (0 :: Int)
-            go (b + 1)
-      go 0
-    count item k bin = do
-      let !b = k * bins + bin
-      m <- readPrimArray counts b
-      writePrimArray counts b (m + 1)
-      let widen !j = when (j < 6) $ do
-            before <- readPrimArray bounds (6 * b + j)
-            let !face = indexPrimArray boxes (6 * item + j)
-            when (if j < 3 then face < before else face > before) (writePrimArray bounds (6 * b + j) face)
-            widen (j + 1)
-      widen 0
-    -- The box of one more bin, joined to a box.
-    with (Centres x0 y0 z0 x1 y1 z1) b = do
-      let at j = readPrimArray bounds (6 * b + j)
-      Centres <$> (lower x0 <$> at 0) <*> (lower y0 <$> at 1) <*> (lower z0 <$> at 2) <*> (upper x1 <$> at 3) <*> (upper y1 <$> at 4) <*> (upper z1 <$> at 5)
-    nothing = Centres (1 / 0) (1 / 0) (1 / 0) (-1 / 0) (-1 / 0) (-1 / 0)
-    -- Half the area: of nothing, 0.
-    areaOf (Centres x0 y0 z0 x1 y1 z1)
-      | x1 < x0 = 0
-      | otherwise = let dx = x1 - x0; dy = y1 - y0; dz = z1 - z0 in dx * dy + dy * dz + dz * dx
-    total = areaOf <$> go 0 nothing
-      where
-        -- Every coordinate's bins hold all items, also where all are in the first.
-        go !b box' = if b >= bins then pure box' else with box' b >>= go (b + 1)
-    -- The cheapest plane of one coordinate, if it is cheaper than what is known.
-    sweep k known = do
-      let fromRight !b box'
-            | b <= 0 = pure ()
-            | otherwise = do
-              more <- with box' (k * bins + b)
-              writePrimArray areas b (areaOf more)
-              fromRight (b - 1) more
-          fromLeft !b !m box' best@(Choice c _ _)
-            | b >= bins - 1 = pure best
-            | otherwise = do
-              more <- with box' (k * bins + b)
-              here <- readPrimArray counts (k * bins + b)
-              right <- readPrimArray areas (b + 1)
-              let !left = m + here
-                  !cost = areaOf more * fromIntegral left + right * fromIntegral (n - left)
-              fromLeft (b + 1) left more (if left > 0 && left < n && cost < c then Choice cost k b else best)
-      fromRight (bins - 1) nothing
-      fromLeft 0 0 nothing known
-    divided isLeft = go lo (hi - 1)
-      where
-        go !i !j
-          | i > j = pure i
-          | otherwise = do
-            item <- readPrimArray order i
-            if isLeft item
-              then go (i + 1) j
-              else do
-                other <- readPrimArray order j
-                writePrimArray order i other
-                writePrimArray order j item
-                go i (j - 1)
+    !used = binsFor n
 
--- | The bounds of points, low and high.
-data Centres = Centres !Double !Double !Double !Double !Double !Double
+-- | A plane: its A1 n1 + A2 n2, its coordinate (-1 for none), and the last bin before it.
+data Plane = Plane !Double !Int !Int
 
--- | A plane: its cost times the area of all, its coordinate (-1 for none), and the last bin before it.
-data Choice = Choice !Double !Int !Int
+-- | The cheapest plane of one coordinate, for so many items in so many bins, if it is cheaper than the one known.
+sweep :: Bins s -> Int -> Int -> Int -> Ruler -> Plane -> ST s Plane
+sweep bins !used !n !coordinate along known
+  | isFlat along = pure known
+  | otherwise = fromRight (used - 1) nothing >> fromLeft 0 0 nothing known
+  where
+    -- Keep each plane's A2.
+    fromRight !b !right
+      | b <= 0 = pure ()
+      | otherwise = do
+        right' <- (right `both`) <$> readExtent (binBoxes bins) (slot used coordinate b)
+        writePrimArray (areasBehind bins) b (halfArea right')
+        fromRight (b - 1) right'
+    fromLeft !b !n1 !left best@(Plane least _ _)
+      | b >= used - 1 = pure best
+      | otherwise = do
+        left' <- (left `both`) <$> readExtent (binBoxes bins) (slot used coordinate b)
+        here <- readPrimArray (binCounts bins) (slot used coordinate b)
+        a2 <- readPrimArray (areasBehind bins) (b + 1)
+        let !n1' = n1 + here
+            !cost = halfArea left' * fromIntegral n1' + a2 * fromIntegral (n - n1')
+        fromLeft (b + 1) n1' left' (if n1' > 0 && n1' < n && cost < least then Plane cost coordinate b else best)
+
+-------------------------------------------------------------------------------
+-- Bins
+
+-- | How the bins of a coordinate lie: where the first begins, and how many there are in a unit of length, 0 where all
+-- centres are (nearly) one.
+data Ruler = Ruler !Double !Double
+
+-- | So many bins from the least number to the greatest, which is in the last one.
+ruler :: Int -> Double -> Double -> Ruler
+ruler used from to
+  | to > from && scale < 1 / 0 = Ruler from scale
+  | otherwise = Ruler from 0
+  where
+    !scale = fromIntegral used * 0x0.fffffffffffp0 / (to - from)
+{-# INLINE ruler #-}
+
+isFlat :: Ruler -> Bool
+isFlat (Ruler _ scale) = scale == 0
+{-# INLINE isFlat #-}
+
+-- | The bin of a number.
+binAt :: Ruler -> Double -> Int
+binAt (Ruler from scale) x = truncate ((x - from) * scale)
+{-# INLINE binAt #-}
+
+-- | What is counted. The bins of the coordinates stand one behind the other: see 'slot'.
+data Bins s = Bins
+  { -- | How many items there are in each bin.
+    binCounts :: !(MutablePrimArray s Int),
+    -- | The box around them, six numbers.
+    binBoxes :: !(MutablePrimArray s Double),
+    -- | Room for a sweep: half the area of the box around each bin and all that follow.
+    areasBehind :: !(MutablePrimArray s Double)
+  }
+
+newBins :: ST s (Bins s)
+newBins = Bins <$> newPrimArray (3 * mostBins) <*> newPrimArray (3 * mostBins * 6) <*> newPrimArray mostBins
+
+-- | The place of a bin, where so many are used: its coordinate's, and its number there.
+slot :: Int -> Int -> Int -> Int
+slot used coordinate b = coordinate * used + b
+{-# INLINE slot #-}
+
+-- | Empties so many bins.
+clear :: Bins s -> Int -> ST s ()
+clear bins !slots = go 0
+  where
+    go !b = when (b < slots) $ do
+      writePrimArray (binCounts bins) b 0
+      writeExtent (binBoxes bins) b nothing
+      go (b + 1)
+
+-- | One more item, in that box.
+count :: Bins s -> Int -> Extent -> ST s ()
+count bins !b !around = do
+  m <- readPrimArray (binCounts bins) b
+  writePrimArray (binCounts bins) b (m + 1)
+  before <- readExtent (binBoxes bins) b
+  writeExtent (binBoxes bins) b (before `both` around)
+
+-- | The box around all items in the first bins.
+overBins :: Bins s -> Int -> ST s Extent
+overBins bins !used = go 0 nothing
+  where
+    go !b !e
+      | b >= used = pure e
+      | otherwise = readExtent (binBoxes bins) b >>= go (b + 1) . both e
+
+-------------------------------------------------------------------------------
+-- Places
+
+-- | Goes through the items at some places, in their order.
+overPlaces :: MutablePrimArray s Int -> Int -> Int -> a -> (a -> Int -> ST s a) -> ST s a
+overPlaces order lo hi start act = go lo start
+  where
+    go !i !a
+      | i >= hi = pure a
+      | otherwise = readPrimArray order i >>= act a >>= go (i + 1)
+{-# INLINE overPlaces #-}
+
+-- | Moves some of the items at some places before the others; the place of the first other.
+moveToFront :: MutablePrimArray s Int -> Int -> Int -> (Int -> Bool) -> ST s Int
+moveToFront order lo hi isFirst = go lo (hi - 1)
+  where
+    go !i !j
+      | i > j = pure i
+      | otherwise = do
+        item <- readPrimArray order i
+        if isFirst item
+          then go (i + 1) j
+          else do
+            other <- readPrimArray order j
+            writePrimArray order i other
+            writePrimArray order j item
+            go i (j - 1)
+{-# INLINE moveToFront #-}
+
+-------------------------------------------------------------------------------
+-- Extents
+
+-- | Low x, y, z, high x, y, z. Unlike a box it may be that of nothing, whose low numbers are above its high ones.
+data Extent = Extent !Double !Double !Double !Double !Double !Double
+
+nothing :: Extent
+nothing = Extent (1 / 0) (1 / 0) (1 / 0) (-1 / 0) (-1 / 0) (-1 / 0)
+{-# INLINE nothing #-}
+
+-- | The least that holds two.
+both :: Extent -> Extent -> Extent
+both (Extent x0 y0 z0 x1 y1 z1) (Extent x0' y0' z0' x1' y1' z1') =
+  Extent (lower x0 x0') (lower y0 y0') (lower z0 z0') (upper x1 x1') (upper y1 y1') (upper z1 z1')
+{-# INLINE both #-}
+
+-- | Half the area of the six faces; of nothing, 0.
+halfArea :: Extent -> Double
+halfArea (Extent x0 y0 z0 x1 y1 z1)
+  | x1 < x0 = 0
+  | otherwise = let dx = x1 - x0; dy = y1 - y0; dz = z1 - z0 in dx * dy + dy * dz + dz * dx
+{-# INLINE halfArea #-}
+
+-- | The box of an item, or of a node, among six numbers each. (Items and nodes are below the number of boxes.)
+extentOf :: PrimArray Double -> Int -> Extent
+extentOf boxes i = Extent (at 0) (at 1) (at 2) (at 3) (at 4) (at 5)
+  where
+    at k = indexPrimArray boxes (6 * i + k)
+{-# INLINE extentOf #-}
+
+-- | Twice the centre of an item's box, a point.
+centreOf :: PrimArray Double -> Int -> Extent
+centreOf boxes item = Extent x y z x y z
+  where
+    !(Extent x0 y0 z0 x1 y1 z1) = extentOf boxes item
+    !x = x0 + x1
+    !y = y0 + y1
+    !z = z0 + z1
+{-# INLINE centreOf #-}
+
+facesOf :: Extent -> [Double]
+facesOf (Extent x0 y0 z0 x1 y1 z1) = [x0, y0, z0, x1, y1, z1]
+
+readExtent :: MutablePrimArray s Double -> Int -> ST s Extent
+readExtent faces i = Extent <$> at 0 <*> at 1 <*> at 2 <*> at 3 <*> at 4 <*> at 5
+  where
+    at k = readPrimArray faces (6 * i + k)
+{-# INLINE readExtent #-}
+
+writeExtent :: MutablePrimArray s Double -> Int -> Extent -> ST s ()
+writeExtent faces i (Extent x0 y0 z0 x1 y1 z1) = put 0 x0 >> put 1 y0 >> put 2 z0 >> put 3 x1 >> put 4 y1 >> put 5 z1
+  where
+    put k = writePrimArray faces (6 * i + k)
+{-# INLINE writeExtent #-}
 
 -- | Of two faces the one that is farther out; the first, if neither is.
 lower, upper :: Double -> Double -> Double

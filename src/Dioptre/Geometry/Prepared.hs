@@ -36,19 +36,19 @@ module Dioptre.Geometry.Prepared
 where
 
 import Data.Maybe (fromMaybe)
-import Dioptre.Geometry.Cap (capNormal, capParameters)
+import Dioptre.Geometry.Axis (Round, axisEnd, axisLength, axisStart, roundAxis, roundRadius)
+import Dioptre.Geometry.Cap (capCurvature, capDisk, capNormal, capParameters)
 import Dioptre.Geometry.Cone (coneContains, coneNormal, coneParameters)
 import Dioptre.Geometry.Cube (cubeCentre, cubeContains, cubeNormal, cubeParameters, cubeSize)
 import Dioptre.Geometry.Cylinder (cylinderContains, cylinderNormal, cylinderParameters)
 import Dioptre.Geometry.Disk (annulusInner, annulusOuter, annulusParameters, annulusPlane, diskParameters, diskPlane, diskRadius)
-import Dioptre.Geometry.Lens (LensPart (..), lensContains, lensNormal, lensParameters, lensPart)
+import Dioptre.Geometry.Lens (LensPart (..), lensBody, lensContains, lensCurvatures, lensNormal, lensParameters, lensPart)
 import Dioptre.Geometry.Placement (Placement, carriedBack, placement)
 import Dioptre.Geometry.Plane (Plane, planeNormal, planeParameters, planePosition)
 import Dioptre.Geometry.Ray (Ray, direction, position)
-import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereContains, sphereNormal, sphereParameters, sphereParametersAhead, sphereRadius)
-import Dioptre.Geometry.Torus (torusContains, torusNormal, torusParameters)
+import Dioptre.Geometry.Torus (torusContains, torusMajor, torusMinor, torusNormal, torusParameters, torusPlane)
 import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, interpolatedNormal, smoothTriangleFlat, smoothTriangleNormals, smoothTriangleUvs, triangleNormal, triangleParameters, trianglePoints)
 import Dioptre.Geometry.Tube (tubeNormal, tubeParameters)
 import Dioptre.Geometry.Uv (coneUv, cubeUv, cylinderUv, diskUv, planeUv, sideUv, sphereUv, torusUv, triangleUv)

@@ -34,9 +34,9 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Primitive.PrimArray
 import qualified Data.Vector.Unboxed as Vector
-import Dioptre.Geometry.Bounds (approach)
 import qualified Dioptre.Geometry.Bounds as Bounds
-import Dioptre.Geometry.Closest (Closest (..), tried, within)
+import Dioptre.Geometry.Box (approach)
+import Dioptre.Geometry.Closest (Closest (..), precedes, tried, within)
 import Dioptre.Geometry.Hierarchy (Hierarchy, Tried (..), descend, hierarchy, hierarchyLeaves, hierarchyOrder)
 import Dioptre.Geometry.Mesh
 import Dioptre.Geometry.Plane (planeParameters)
@@ -200,7 +200,7 @@ closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = 
       | otherwise = foldr keep (go (place + 1)) (parametersAt m seen r place) best number
       where
         keep t next !b !n
-          | t > smallestParameter && t <= b && (t < b || mine < n) = next t mine
+          | t > smallestParameter && precedes t mine b n = next t mine
           | otherwise = next b n
         mine = first + fromIntegral (indexPrimArray order place)
 {-# INLINE closestInRange #-}

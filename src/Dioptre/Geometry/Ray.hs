@@ -16,10 +16,11 @@ module Dioptre.Geometry.Ray
     direction,
     directionQuadrance,
     position,
+    nextTo,
   )
 where
 
-import Dioptre.Math.Vector (Packed, Point, Vector, packed, quadrance, unpacked, (*^))
+import Dioptre.Math.Vector (Packed, Point, Vector, dot, packed, quadrance, unpacked, (*^))
 
 -- $setup
 -- >>> import Linear.V3 (V3 (..))
@@ -59,3 +60,14 @@ directionQuadrance (Ray _ _ q) = q
 position :: Ray -> Double -> Point
 position r t = origin r + t *^ direction r
 {-# INLINE position #-}
+
+-- | Moves a line w + t d next to where w is measured from: the parameter of its point nearest to there, t0 = -\<w, d>
+-- \/ \<d, d>, and that point, w + t0 d.
+--
+-- >>> nextTo (V3 (-6) 1 0) (V3 2 0 0)
+-- (3.0,V3 0.0 1.0 0.0)
+nextTo :: Vector -> Vector -> (Double, Vector)
+nextTo w d = (t0, w + t0 *^ d)
+  where
+    t0 = negate (dot w d / dot d d)
+{-# INLINE nextTo #-}

@@ -11,11 +11,14 @@ module Dioptre.Geometry.Shape
   )
 where
 
+import Dioptre.Geometry.Axis (Round)
+import Dioptre.Geometry.Cap (Cap)
 import Dioptre.Geometry.Cube (Cube)
 import Dioptre.Geometry.Disk (Annulus, Disk)
+import Dioptre.Geometry.Lens (Lens)
 import Dioptre.Geometry.Plane (Plane)
-import Dioptre.Geometry.Round (Cap, Lens, Round, Torus)
 import Dioptre.Geometry.Sphere (Sphere)
+import Dioptre.Geometry.Torus (Torus)
 import Dioptre.Geometry.Triangle (SmoothTriangle, Triangle)
 import Dioptre.Math.Transform (Transform)
 

@@ -1,4 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -36,9 +38,21 @@
 -- Source: P. Hanrahan, "A Survey of Ray-Surface Intersection Algorithms", section 3.2, in A. Glassner (ed.), /An Introduction to Ray Tracing/
 -- (1989).
 module Dioptre.Geometry.Torus
-  ( -- * Intersecting
+  ( -- * Constructing
+    Torus,
+    torus,
+    torusPlane,
+    torusMajor,
+    torusMinor,
+
+    -- * Intersecting
     torusParameters,
     torusNormal,
+
+    -- * Along a ray
+    TorusLine (..),
+    torusLine,
+    torusEquation,
 
     -- * Inside
     torusContains,
@@ -47,6 +61,7 @@ where
 
 import Data.Bits ((.&.))
 import Data.Maybe (fromMaybe)
+import Dioptre.Geometry.Plane (Plane)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Tolerance (roundThickness, torusSlack)
@@ -58,6 +73,23 @@ import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 -- >>> import Dioptre.Geometry.Ray (ray)
 -- >>> import Dioptre.Math.Vector (alongZ)
 -- >>> import Linear.V3 (V3 (..))
+
+-- | A torus: the plane of its circle, the radius of the circle, and that of the tube.
+data Torus = Torus
+  { -- | The plane of the circle; its position is the centre.
+    torusPlane :: Plane,
+    -- | The radius of the circle; greater than zero.
+    torusMajor :: Double,
+    -- | The radius of the tube; greater than zero.
+    torusMinor :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | 'Nothing' unless both radii are greater than zero. The tube may be thicker than the circle (a spindle).
+torus :: Plane -> Double -> Double -> Maybe Torus
+torus p major minor
+  | major > 0 && minor > 0 = Just (Torus p major minor)
+  | otherwise = Nothing
 
 -- | Every parameter at which a ray's line meets the torus around P, with axis n, of radii R and r, ascending, those behind the origin too. A ray that
 -- touches the torus does so twice; the number is even, 0, 2 or 4. The direction may have any length but zero.
@@ -73,19 +105,40 @@ import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 -- Cost: a line that misses the sphere of radius R + r around P, three dot products; any other, a quartic.
 torusParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 torusParameters p n major minor r = build $ \cons nil ->
-  let !l = powerBelow (major + minor)
-      !m = modulus (direction r)
-      u = direction r ^/ m
-      w = (origin r - p) ^/ l
+  let !(TorusLine l t0 scale c height slope) = torusLine p n major minor r
       !outer = (major + minor) / l
-      !t0 = negate (dot w u)
-      q = w + t0 *^ u
-      !c = quadrance q
-      !scale = l / m
-   in if c <= (1 + torusSlack) * (outer * outer)
-        then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c (dot (vector n) q) (dot (vector n) u))
+   in if c <= 0x1.0000000001p0 * (outer * outer)
+        then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c height slope)
         else nil
 {-# INLINE torusParameters #-}
+
+-- | A ray's line from q on, its point nearest to the centre, in units L: the ray's parameter is (t0 + s) k.
+data TorusLine = TorusLine
+  { -- | The unit of length, L: a power of two.
+    lineUnit :: !Double,
+    -- | t0.
+    lineStart :: !Double,
+    -- | k.
+    lineScale :: !Double,
+    -- | C = |q|^2.
+    lineDistance :: !Double,
+    -- | N = \<n, q>.
+    lineHeight :: Double,
+    -- | M = \<n, u>.
+    lineSlope :: Double
+  }
+
+-- | The ray's line, seen from the torus.
+torusLine :: Point -> Unit -> Double -> Double -> Ray -> TorusLine
+torusLine p n major minor r = TorusLine l t0 (l / m) (quadrance q) (dot (vector n) q) (dot (vector n) u)
+  where
+    !l = powerBelow (major + minor)
+    !m = modulus (direction r)
+    u = direction r ^/ m
+    w = (origin r - p) ^/ l
+    !t0 = negate (dot w u)
+    q = w + t0 *^ u
+{-# INLINE torusLine #-}
 
 -- | The power of two with the same exponent: the unit of length, in which R + r is between 1 and 2, and to which everything is brought without rounding.
 powerBelow :: Double -> Double
@@ -94,12 +147,16 @@ powerBelow x = castWord64ToDouble (castDoubleToWord64 x .&. 0x7ff0000000000000)
 
 -- | The roots s, from R, r, C, N and M, in that unit.
 meetings :: Double -> Double -> Double -> Double -> Double -> [Double]
-meetings !major !minor !c !n !m =
-  quarticRoots 1 0 (2 * g - four * ((1 - m) * (1 + m))) (2 * four * m * n) (g * g - four * (c - n * n))
+meetings !major !minor !c !n !m = let (c2, c1, c0) = torusEquation major minor c n m in quarticRoots 1 0 c2 c1 c0
+{-# NOINLINE meetings #-}
+
+-- | The coefficients of s^2, of s, and the constant, from R, r, C, N and M. (That of s^4 is 1, and that of s^3 is 0.)
+torusEquation :: Double -> Double -> Double -> Double -> Double -> (Double, Double, Double)
+torusEquation major minor c n m = (2 * g - four * ((1 - m) * (1 + m)), 2 * four * m * n, g * g - four * (c - n * n))
   where
     !g = c + (major - minor) * (major + minor)
     !four = 4 * (major * major)
-{-# NOINLINE meetings #-}
+{-# INLINE torusEquation #-}
 
 -- | The outward unit normal at a point of the torus: (v - C) \/ |v - C|, where C is the point of the circle in whose tube's skin v lies, which is the nearest
 -- one, P + R (v - h n) \/ rho, except on the inner sheet of a spindle, where it is the one across the axis. At a point of the axis there is no one such point, and

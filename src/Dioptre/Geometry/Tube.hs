@@ -26,12 +26,13 @@ module Dioptre.Geometry.Tube
 
     -- * Across the axis
     across,
+    circle,
   )
 where
 
 import Data.Maybe (fromMaybe)
+import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
-import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, unit, vector)
 
 -- $setup
@@ -45,6 +46,12 @@ import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, unit, vector)
 across :: Unit -> Vector -> Vector
 across s v = cross (vector s) (cross v (vector s))
 {-# INLINE across #-}
+
+-- | The equation of the infinite tube of radius R, for what a line w + t d has across the axis, w_perp and d_perp:
+-- there it is a circle's.
+circle :: Double -> Vector -> Vector -> Quadratic
+circle radius wPerp dPerp = Quadratic (dot dPerp dPerp) (2 * dot wPerp dPerp) (dot wPerp wPerp - radius * radius)
+{-# INLINE circle #-}
 
 -- | Where a ray's line meets the tube from P1 along the unit axis S, of length H and radius R: the roots of the infinite tube at which the point is
 -- at a height from 0 to H, ascending.
@@ -65,10 +72,7 @@ tubeParameters p1 s h radius r =
 --
 -- Law: a negative radius gives what its opposite gives; radius 0 is met by lines through the axis, twice at one parameter.
 tubeLineParameters :: Point -> Unit -> Double -> Ray -> [Double]
-tubeLineParameters p s radius r = quadraticRoots (dot dPerp dPerp) (2 * dot wPerp dPerp) (dot wPerp wPerp - radius * radius)
-  where
-    dPerp = across s (direction r)
-    wPerp = across s (origin r - p)
+tubeLineParameters p s radius r = rootsOf (circle radius (across s (origin r - p)) (across s (direction r)))
 {-# INLINE tubeLineParameters #-}
 
 -- | The outward unit normal at a point v of the tube: (v - P1)_perp, made unit. (On the axis, where no point of a tube is, it is the axis.)

@@ -36,7 +36,7 @@ import Data.Maybe (listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Round (axis, roundShape)
+import Dioptre.Geometry.Axis (axis, roundShape)
 import Dioptre.Geometry.Shape (Shape (ATube))
 import Dioptre.Light.Colour (rgb)
 import Dioptre.Light.Finish (finish)

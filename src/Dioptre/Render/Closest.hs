@@ -16,8 +16,8 @@ where
 import Data.List (foldl')
 import Data.Primitive.PrimArray (indexPrimArray)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds (approach)
-import Dioptre.Geometry.Closest (Closest (..), below, slightlyBeyond, tried, within)
+import Dioptre.Geometry.Box (approach)
+import Dioptre.Geometry.Closest (Closest (..), below, precedes, slightlyBeyond, tried, within)
 import Dioptre.Geometry.Handful (closestInHandful)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Placement (carriedBack)
@@ -55,7 +55,7 @@ closestInRange a !r !from !end before@(Closest t0 number0 tests) = go from t0 nu
       | otherwise =
         let !t = nearest (Vector.unsafeIndex shapes place) r (slightlyBeyond best)
             !mine = indexPrimArray order place
-         in if t < best || (t == best && mine < number) then go (place + 1) t mine else go (place + 1) best number
+         in if precedes t mine best number then go (place + 1) t mine else go (place + 1) best number
 {-# NOINLINE closestInRange #-}
 
 -- | The same for the shapes of a group's instances, after what was found before. (What was tried is counted in each body.)

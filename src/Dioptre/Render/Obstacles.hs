@@ -16,7 +16,7 @@ where
 import Data.List (foldl')
 import Data.Primitive.PrimArray (indexPrimArray)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds (approach)
+import Dioptre.Geometry.Box (approach)
 import Dioptre.Geometry.Handful (Handful, foldMet)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Placement (carriedBack)

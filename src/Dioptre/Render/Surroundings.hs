@@ -18,7 +18,7 @@ import Data.List (foldl', sortOn)
 import Data.Primitive.PrimArray (indexPrimArray)
 import Data.Vector ((!?))
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds (approach)
+import Dioptre.Geometry.Box (approach)
 import Dioptre.Geometry.Hierarchy (Tried (..), descend, hierarchyOrder)
 import Dioptre.Geometry.Prepared (contains)
 import Dioptre.Geometry.Ray (ray)

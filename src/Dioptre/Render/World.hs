@@ -50,8 +50,8 @@ import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Primitive.PrimArray
 import Data.Vector (Vector, (!?))
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds (Box, ofShape, transformed)
-import qualified Dioptre.Geometry.Bounds as Bounds
+import Dioptre.Geometry.Bounds (ofShape)
+import Dioptre.Geometry.Box (Box, transformed, union)
 import Dioptre.Geometry.Handful (Handful, handful)
 import Dioptre.Geometry.Hierarchy (Hierarchy, hierarchy, hierarchyBox, hierarchyDepth, hierarchyNodes, hierarchyOrder)
 import Dioptre.Geometry.Mesh (meshSize)
@@ -256,7 +256,7 @@ bodyBox (Triangles m _) = hierarchyBox (preparedMeshHierarchy m)
 bodyBox (Assembly g)
   | Vector.null (things (groupInstances g)) = around (groupShapes g)
   | Vector.null (things (groupShapes g)) = around (groupInstances g)
-  | otherwise = Bounds.union <$> around (groupShapes g) <*> around (groupInstances g)
+  | otherwise = union <$> around (groupShapes g) <*> around (groupInstances g)
 
 -- | So few things are tried one after the other: boxes around them would take as long as they save.
 few :: Int
@@ -270,5 +270,5 @@ arranged list = Arranged (Vector.map snd pairs) (Vector.map (snd . (pairs Vector
     h = hierarchy (Vector.length pairs) (if Vector.length pairs > few then fst . (pairs Vector.!) else const Nothing)
     order = Vector.fromList (primArrayToList (hierarchyOrder h))
     outer = case traverse fst list of
-      Just (b : bs) -> Just (foldl' Bounds.union b bs)
+      Just (b : bs) -> Just (foldl' union b bs)
       _ -> Nothing

@@ -31,10 +31,10 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Dioptre.Geometry.Axis (axisEnd, axisStart, roundAxis, roundRadius)
 import Dioptre.Geometry.Cube (cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (diskPlane)
 import Dioptre.Geometry.Plane (planeNormal, planePosition)
-import Dioptre.Geometry.Round (axisEnd, axisStart, roundAxis, roundRadius)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, smoothTriangleNormals, triangleNormal, trianglePoints)

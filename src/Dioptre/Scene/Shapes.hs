@@ -14,12 +14,15 @@ where
 
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Text (Text)
+import Dioptre.Geometry.Axis (Round, axis, axisEnd, axisStart, roundAxis, roundRadius, roundShape)
+import Dioptre.Geometry.Cap (Cap, cap, capCurvature, capDisk)
 import Dioptre.Geometry.Cube (Cube, cube, cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (Annulus, Disk, annulus, annulusInner, annulusOuter, annulusPlane, disk, diskPlane, diskRadius)
+import Dioptre.Geometry.Lens (Lens, lens, lensBody, lensCurvatures)
 import Dioptre.Geometry.Plane (Plane, plane, planeNormal, planePosition)
-import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (Sphere, sphere, sphereCentre, sphereRadius)
+import Dioptre.Geometry.Torus (Torus, torus, torusMajor, torusMinor, torusPlane)
 import Dioptre.Geometry.Triangle (Corners (..), SmoothTriangle, Triangle, smoothTriangle, smoothTriangleFlat, smoothTriangleNormals, smoothTriangleUvs, triangle, trianglePoints)
 import Dioptre.Math.Transform (Transform, transform, transformRotation, transformScale, transformTranslation)
 import Dioptre.Math.Vector (Point, Vector)

@@ -7,19 +7,21 @@ module Dioptre.Explain.PolynomialSpec (spec) where
 
 import Dioptre.Explain.Polynomial
 import Dioptre.Explain.Story
+import Dioptre.Geometry.Axis (axis, roundShape)
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Disk (annulus, disk)
 import Dioptre.Geometry.Plane (plane)
 import Dioptre.Geometry.Ray (Ray, direction, origin, ray)
-import Dioptre.Geometry.Round (axis, roundShape, torus)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere)
+import Dioptre.Geometry.Torus (torus)
 import Dioptre.Geometry.Triangle (Corners (..), triangle)
 import Dioptre.Math.Transform (transform)
 import Laws.Story
 import Linear.V3 (V3 (..))
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck (checkCoverage)
 
 spec :: Spec
 spec = do
@@ -43,6 +45,8 @@ spec = do
       told (ACube <$> cube 0 2) (ray (V3 (-3) 0.5 0) (V3 1 0 2)) `shouldBe` Just ([[1, -3, -1, 1], [0, 0.5, -1, 1], [2, 0, -1, 1]], map (,OtherConditions) [2, 4, -0.5, 0.5])
     it "tells the tube and its ends" $
       told (axis 0 (V3 0 0 4) >>= \a -> ATube <$> roundShape a 1) (ray (V3 (-3) 0 9) (V3 1 0 0)) `shouldBe` Just ([[1, -6, 8]], [(2, AtHeight 9 4), (4, AtHeight 9 4)])
+    it "tells the length of an axis however short it is" $
+      told (axis 0 (V3 0 0 1e-165) >>= \a -> ACylinder <$> roundShape a 1) (ray 0 (V3 0 0 2)) `shouldBe` Just ([[0, 0, -1], [2, 0, 0, 1e-165]], [(0, OtherConditions), (5e-166, OtherConditions)])
     it "tells the four roots of a torus" $
       fmap snd (told (plane 0 (V3 0 0 1) >>= \p -> ATorus <$> torus p 2 1) (ray (V3 (-10) 0 0) (V3 1 0 0))) `shouldBe` Just (map (,OtherConditions) [7, 9, 11, 13])
     it "tells by how much a line misses a torus" $
@@ -52,6 +56,7 @@ spec = do
         `shouldBe` Just [(V3 (-2) 0 0, V3 0.5 0 0)]
   describe "the laws of equations" . modifyMaxSuccess (const 60) $ do
     prop "every parameter of the renderer is a root that is told" parametersAreRoots
+    prop "so it is where the ends of an axis are very near" (checkCoverage parametersOfShortAxesAreRoots)
     prop "every root that is told solves its equation" rootsSolve
 
 equation :: Maybe Shape -> Ray -> Maybe (Equation, [Candidate])

@@ -3,9 +3,9 @@
 -- Description : The cylinder: examples, and the laws of all closed shapes around an axis
 module Dioptre.Geometry.CylinderSpec (spec) where
 
+import Dioptre.Geometry.Axis (axis, axisLength)
 import Dioptre.Geometry.Cylinder
 import Dioptre.Geometry.Ray (ray)
-import Dioptre.Geometry.Round (axis, axisLength)
 import Dioptre.Math.Vector (alongX, alongZ, opposite)
 import Laws.Round
 import Linear.V3 (V3 (..))

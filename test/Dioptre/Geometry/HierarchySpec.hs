@@ -8,7 +8,7 @@ import Data.Foldable (for_)
 import Data.IORef (newIORef, readIORef)
 import Data.List (sort)
 import Data.Primitive.PrimArray (indexPrimArray, primArrayToList)
-import Dioptre.Geometry.Bounds (approach)
+import Dioptre.Geometry.Box (approach, box)
 import Dioptre.Geometry.Hierarchy
 import Dioptre.Geometry.Ray (Ray, ray)
 import GHC.Conc (getNumCapabilities, setNumCapabilities)
@@ -33,6 +33,10 @@ spec = do
 
   it "is tried in all its corners by these laws" $
     checkCoverage $ \c -> foldr (\(name, holds) -> cover 1 holds name) (property True) (crowdCorners c)
+
+  -- The example of "Dioptre.Geometry.Partition".
+  it "puts four cubes, of which two and two are side by side, into two leaves" $
+    (\h -> (primArrayToList (hierarchyOrder h), hierarchyLeaves h)) (hierarchy 4 (\i -> let x = [0, 7, 1, 8] !! i in box (V3 x 0 0) (V3 (x + 1) 1 1))) `shouldBe` ([0, 2, 1, 3], [(0, 2), (2, 4)])
 
   -- Each takes a fraction of a second; what is quadratic in the number of items takes hours.
   describe "of a hundred thousand boxes, in less than 20 seconds" $ do

@@ -10,7 +10,7 @@ import Data.Foldable (for_, toList)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
-import Dioptre.Geometry.Round (axisEnd, axisStart, roundAxis, roundRadius)
+import Dioptre.Geometry.Axis (axisEnd, axisStart, roundAxis, roundRadius)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Light.Colour (Colour (..), rgb)
 import Dioptre.Light.Finish

@@ -33,9 +33,10 @@ where
 
 import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Bounds
+import Dioptre.Geometry.Box hiding (around)
+import Dioptre.Geometry.Cap (faceDepth)
 import Dioptre.Geometry.Prepared (parameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Geometry.Round (faceDepth)
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereParameters)
 import Dioptre.Geometry.Torus (torusParameters)
@@ -80,6 +81,10 @@ boxOf body = case body of
   OfCap p n r c -> ofCap p n r c
   OfLens a b r c -> ofLens a b r c
 
+-- | Whether a point is in a box, or on its surface.
+holds :: Box -> Point -> Bool
+holds b p = and ((<=) <$> boxLow b <*> p) && and ((<=) <$> p <*> boxHigh b)
+
 -------------------------------------------------------------------------------
 -- Boxes
 
@@ -94,12 +99,12 @@ unionIsASemilattice (Boxed a) (Boxed b) (Boxed c) =
 
 -- | A point of either box is in the union.
 unionHoldsBoth :: Boxed -> Boxed -> Property
-unionHoldsBoth (Boxed a) (Boxed b) = forAll (pointOf a) $ \p -> forAll (pointOf b) $ \q -> boxHolds (a `union` b) p && boxHolds (a `union` b) q
+unionHoldsBoth (Boxed a) (Boxed b) = forAll (pointOf a) $ \p -> forAll (pointOf b) $ \q -> holds (a `union` b) p && holds (a `union` b) q
 
 -- | What becomes of a point of a box is in the transformed box.
 transformedHolds :: Boxed -> Property
 transformedHolds (Boxed b) = forAll (pointOf b) $ \p -> forAll aTransform $ \t ->
-  let m = placement t in counterexample (show (transformed m b)) $ boxHolds (transformed m b) (transformPosition m p)
+  let m = placement t in counterexample (show (transformed m b)) $ holds (transformed m b) (transformPosition m p)
   where
     aTransform = fromMaybe identity <$> (transform <$> (V3 <$> factor <*> factor <*> factor) <*> (V3 <$> turn <*> turn <*> turn) <*> aPoint)
     factor = elements [1, 2, -1, 0.001, 30]
@@ -110,7 +115,7 @@ transformedHolds (Boxed b) = forAll (pointOf b) $ \p -> forAll aTransform $ \t -
 
 -- | Every point of a shape is in its box.
 holdsItsShape :: Body -> Property
-holdsItsShape body = forAll (onBody body) $ \p -> counterexample (show (boxOf body)) $ boxHolds (boxOf body) p
+holdsItsShape body = forAll (onBody body) $ \p -> counterexample (show (boxOf body)) $ holds (boxOf body) p
 
 -- | Around a point across an axis: cos a e1 + sin a e2.
 around :: Unit -> Double -> Vector
@@ -190,8 +195,8 @@ holdsHits :: Property
 holdsHits = forAll aPoint $ \p -> forAll aUnit $ \n -> forAll ((10 **) <$> choose (-2, 2)) $ \r -> forAll (choose (0.05, 2)) $ \ratio ->
   forAll (rayAt p r) $ \sight ->
     let hits = map (position sight)
-     in counterexample "sphere" (all (boxHolds (ofSphere p r)) (hits (sphereParameters p (r * r) sight)))
-          .&&. counterexample "torus" (all (boxHolds (ofTorus p n r (ratio * r))) (hits (torusParameters p n r (ratio * r) sight)))
+     in counterexample "sphere" (all (holds (ofSphere p r)) (hits (sphereParameters p (r * r) sight)))
+          .&&. counterexample "torus" (all (holds (ofTorus p n r (ratio * r))) (hits (torusParameters p n r (ratio * r) sight)))
   where
     rayAt p r = do
       u <- aUnit
@@ -206,7 +211,7 @@ holdsHitsOfShapes :: Property
 holdsHitsOfShapes = forAll ((,) <$> elements [minBound ..] <*> elements [Few, Full]) $ \(sort', kind) -> forAll (Aim.shapeOf sort' kind) $ \shape -> forAll (Aim.rayAt kind shape) $ \r ->
   case ofShape shape of
     Nothing -> counterexample "no box" (sort' == Aim.PlaneSort)
-    Just b -> counterexample (show b) (sort' /= Aim.PlaneSort && (isSlight shape r || all (boxHolds b . position r) (parameters (Aim.preparedOf shape) r)))
+    Just b -> counterexample (show b) (sort' /= Aim.PlaneSort && (isSlight shape r || all (holds b . position r) (parameters (Aim.preparedOf shape) r)))
   where
     isSlight shape r = case shape of
       ATriangle t -> slight t r
@@ -253,7 +258,7 @@ agreesWithTheExactAnswer (Aimed b r) = forAll (elements ([1 / 0, 1000, 1, 0] ++ 
 
 -- | With a bound of 0 a ray meets the boxes that hold its origin, and no others; with one of minus infinity, none.
 goesNowhereWithoutLength :: Aimed -> Property
-goesNowhereWithoutLength (Aimed b r) = meetsBox r b 0 === boxHolds b (origin r) .&&. meetsBox r b (-1 / 0) === False
+goesNowhereWithoutLength (Aimed b r) = meetsBox r b 0 === holds b (origin r) .&&. meetsBox r b (-1 / 0) === False
 
 -- | A ray runs down along the coordinates in which its direction is negative.
 knowsItsFirstFaces :: Aimed -> Property
@@ -344,7 +349,7 @@ corners :: Aimed -> [(String, Bool)]
 corners (Aimed b r) =
   [ ("hits", hit),
     ("misses", not hit),
-    ("starts inside", boxHolds b (origin r)),
+    ("starts inside", holds b (origin r)),
     ("touches in one point only, or runs in a face", maybe False (uncurry (==)) (exactInterval b r)),
     ("a flat box", or ((==) <$> boxLow b <*> boxHigh b)),
     ("a component of the direction is zero", 0 `elem` direction r),

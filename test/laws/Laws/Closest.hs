@@ -21,7 +21,6 @@ where
 import Data.List (sort, sortOn)
 import Data.Maybe (catMaybes, listToMaybe)
 import qualified Data.Text as Text
-import Dioptre.Geometry.Closest (met)
 import Dioptre.Geometry.Plane (plane)
 import Dioptre.Geometry.Prepared (parameters)
 import Dioptre.Geometry.Ray (Ray, ray)
@@ -38,6 +37,7 @@ import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (defaultRaytracer)
 import Laws.Aim
 import Laws.Draw
+import Laws.Index (met)
 import Linear.V3 (V3 (..))
 import Test.QuickCheck
 

@@ -39,18 +39,21 @@ where
 import Data.List (find, foldl', intercalate)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds (boxHigh, boxLow, ofShape)
-import Dioptre.Geometry.Closest (met)
+import Dioptre.Geometry.Axis (axis, axisEnd, axisStart, roundAxis, roundRadius, roundShape)
+import Dioptre.Geometry.Bounds (ofShape)
+import Dioptre.Geometry.Box (boxHigh, boxLow)
+import Dioptre.Geometry.Cap (cap, capCurvature, capDisk)
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Disk (annulus, annulusInner, annulusOuter, annulusPlane, disk, diskPlane, diskRadius)
+import Dioptre.Geometry.Lens (lens, lensBody, lensCurvatures)
 import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Geometry.Plane (Plane, plane, planeNormal, planePosition)
 import Dioptre.Geometry.Prepared (Prepared, parameters, prepare)
 import Dioptre.Geometry.PreparedMesh (triangleShape)
 import Dioptre.Geometry.Ray (Ray, direction, origin, ray)
-import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere, sphereCentre, sphereRadius)
+import Dioptre.Geometry.Torus (torus, torusMajor, torusMinor, torusPlane)
 import Dioptre.Geometry.Triangle
 import Dioptre.Light.Finish (finish, withPictures)
 import Dioptre.Light.Material (standard)
@@ -64,6 +67,7 @@ import qualified Laws.Aim as Aim
 import Laws.Closest (sceneOf)
 import Laws.Draw
 import Laws.Exact
+import Laws.Index (met)
 import Laws.Mesh (aMesh, roundMesh)
 import Laws.Obvious
 import Laws.Obvious.Motion (lineOf)

@@ -27,6 +27,8 @@ module Laws.Index
     scattered,
 
     -- * Laws of offers
+    offer,
+    met,
     offersHaveNoOrder,
     theNearestOfferIsTaken,
   )
@@ -36,7 +38,7 @@ import Data.List (foldl', nub, sort)
 import Data.Maybe (catMaybes, isNothing, listToMaybe)
 import Data.Primitive.PrimArray (indexPrimArray, primArrayToList)
 import qualified Data.Vector as Vector
-import Dioptre.Geometry.Bounds
+import Dioptre.Geometry.Box hiding (around)
 import Dioptre.Geometry.Closest
 import Dioptre.Geometry.Hierarchy
 import Dioptre.Geometry.Ray (Ray, ray)
@@ -243,6 +245,18 @@ offers :: Gen [(Int, Double)]
 offers = do
   numbers <- sublistOf [0 .. 20] >>= shuffle
   mapM (\n -> (,) n <$> oneof [elements [1, 2, nudged 1 1, 4], positive Wide]) numbers
+
+-- | Offers a shape's number and the parameter at which it is met: it is taken if it precedes what was.
+offer :: Int -> Double -> Closest -> Closest
+offer number t c
+  | precedes t number (closestParameter c) (closestNumber c) = c {closestParameter = t, closestNumber = number}
+  | otherwise = c
+
+-- | The parameter and the shape's number, if anything is met.
+met :: Closest -> Maybe (Double, Int)
+met c
+  | closestNumber c < 0 = Nothing
+  | otherwise = Just (closestParameter c, closestNumber c)
 
 -- | What is taken does not depend on the order of the offers.
 offersHaveNoOrder :: Property

@@ -42,6 +42,7 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Triangle
 import Dioptre.Math.Vector
 import Laws.Draw
+import Laws.Index (met, offer)
 import Linear.V2 (V2 (..))
 import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector, within)

@@ -33,12 +33,15 @@ where
 
 import Data.List (foldl', minimumBy, sortOn)
 import Data.Ord (comparing)
+import Dioptre.Geometry.Axis (Round, axisEnd, axisStart, roundAxis, roundRadius)
+import Dioptre.Geometry.Cap (capCurvature, capDisk)
 import Dioptre.Geometry.Cube (cubeCentre, cubeSize)
 import Dioptre.Geometry.Disk (annulusInner, annulusOuter, annulusPlane, diskPlane, diskRadius)
+import Dioptre.Geometry.Lens (lensBody, lensCurvatures)
 import Dioptre.Geometry.Plane (planeNormal, planePosition)
-import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
+import Dioptre.Geometry.Torus (torusMajor, torusMinor, torusPlane)
 import Dioptre.Geometry.Triangle (Corners (..), Triangle, smoothTriangleFlat, trianglePoints)
 import Dioptre.Math.Vector (Point)
 import Laws.Exact hiding (along)

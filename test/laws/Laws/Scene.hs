@@ -36,12 +36,15 @@ import Data.Functor ((<&>))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
+import Dioptre.Geometry.Axis (axis, axisEnd, axisStart, roundAxis, roundRadius, roundShape)
+import Dioptre.Geometry.Cap (cap, capCurvature, capDisk)
 import Dioptre.Geometry.Cube
 import Dioptre.Geometry.Disk
+import Dioptre.Geometry.Lens (lens, lensBody, lensCurvatures)
 import Dioptre.Geometry.Plane
-import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape
 import Dioptre.Geometry.Sphere
+import Dioptre.Geometry.Torus (torus, torusMajor, torusMinor, torusPlane)
 import Dioptre.Geometry.Triangle
 import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Light.Light

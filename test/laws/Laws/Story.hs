@@ -20,6 +20,7 @@ module Laws.Story
     -- * Shapes
     shapesAreTheWorlds,
     parametersAreRoots,
+    parametersOfShortAxesAreRoots,
     rootsSolve,
     verdictsAccountForTheHit,
 
@@ -36,14 +37,17 @@ where
 import Data.Bifunctor (bimap)
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust)
+import Data.Maybe (isJust, maybeToList)
 import qualified Data.Vector.Storable as Storable
 import Dioptre.Explain.Origin (Found (..), directory, find)
 import Dioptre.Explain.Polynomial (Candidate (..), equationOf)
 import Dioptre.Explain.Story
 import Dioptre.Explain.Tell (tell)
+import Dioptre.Geometry.Axis (axis, roundShape)
+import Dioptre.Geometry.Lens (lens)
 import Dioptre.Geometry.Prepared (parameters, placedIn, prepare)
-import Dioptre.Geometry.Ray (direction, origin)
+import Dioptre.Geometry.Ray (direction, origin, ray)
+import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Light.Colour (Colour (..), black, plus)
 import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Light.Material (Material (..), Textures (..))
@@ -58,6 +62,7 @@ import Dioptre.Render.World (world, worldSize)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), camera, cameraSettings, viewport, viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
+import Laws.Draw (Kind (..), axisStep, point)
 import Laws.Shade (Small (..), setAlgorithm)
 import Laws.Sketch (Sketch (..), sketchScene)
 import Laws.World (Modelled (..))
@@ -206,6 +211,22 @@ parametersAreRoots (Modelled scene library r _) =
   where
     w = world mempty library scene
     shapes = directory [] library scene
+
+-- | The same for shapes on an axis so short that the square of its length is rounded, or vanishes: a ray that starts in
+-- the plane of its start meets its ends at parameters as small as it is.
+parametersOfShortAxesAreRoots :: Property
+parametersOfShortAxesAreRoots =
+  forAll (axisStep Few) $ \end -> forAll (choose (-320, -140)) $ \size -> forAll ((10 **) <$> choose (-10, 1)) $ \radius -> forAll ((,) <$> start end <*> point Few) $ \(o, d) ->
+    d /= 0
+      ==> let bodies = [body | Just a <- [axis 0 ((10 ** size) *^ end)], Just body <- [roundShape a radius]]
+              shapes = concat [[ATube body, ACylinder body, ACone body] ++ map ALens (maybeToList (lens body (2 * radius, 3 * radius))) | body <- bodies]
+              r = ray (radius *^ o) d
+              ends s = maybe [] (`parameters` r) (prepare s)
+           in cover 20 (any (any (\t -> t /= 0 && abs t < 1e-130) . ends) shapes) "meets both ends" $
+                conjoin [counterexample (show (s, ends s)) (all (`elem` [t | Candidate t _ _ <- snd (equationOf [] s r)]) (ends s)) | s <- shapes]
+  where
+    -- Across the axis, and so near to it that the ray starts within most radii.
+    start end = (\v -> (1 / 16) *^ (v * (fmap (\x -> if x == 0 then 1 else 0) end))) <$> point Few
 
 -- | Every root that is told solves the condition that it is told with, to rounding.
 --

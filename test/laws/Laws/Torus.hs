@@ -31,6 +31,7 @@ where
 import Data.List (sort)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Torus (torusContains, torusNormal, torusParameters)
+import Dioptre.Math.Tolerance (roundThickness)
 import Dioptre.Math.Vector
 import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
@@ -79,7 +80,11 @@ areOnTheTorus m@(Meeting p n major minor r) = conjoin [counterexample (show (t, 
       | otherwise =
         let (h, rho) = cylindrical p n (position r t)
             off = abs (sqrt ((rho - major) * (rho - major) + h * h) - minor)
-         in counterexample (show off) (off <= 2 ** (-44) * l ** 4 / (8 * minor * major * (major - minor)) + 4 * blur m t)
+         in counterexample (show off) (off <= offTheRing m t)
+
+-- | How far from a ring torus a hit may be.
+offTheRing :: Meeting -> Double -> Double
+offTheRing m@(Meeting _ _ major minor _) t = 2 ** (-44) * extent m ** 4 / (8 * minor * major * (major - minor)) + 4 * blur m t
 
 -- | There are 0, 2 or 4, ascending.
 areEvenAndAscending :: Meeting -> Property
@@ -130,44 +135,63 @@ areInverseToTheDirection :: Meeting -> Property
 areInverseToTheDirection m@(Meeting p n major minor r) = forAll (chooseInt (-60, 60)) $ \k ->
   torusParameters p n major minor (ray (origin r) (scaleFloat k <$> direction r)) === map (scaleFloat (negate k)) (meetings m)
 
--- | The normal is unit, and along the gradient of F; on the outer sheet of a spindle, and on a ring, it points where F grows.
+-- | The normal is unit, and along the gradient of F, which is 2 d times the other factor, with d the distance from the
+-- circle: outwards where that is positive, as on a ring and on the outer sheet of a spindle, and inwards on the inner
+-- sheet.
+--
+-- With f the factor of the sheet, which is nearly 0, and g the other, the gradient is g grad f + f grad g. The first
+-- term is along the normal and 2 d g long. The second is at most 4 l |f| long, as |grad g| is twice the distance from
+-- the circle's far side, which is at most 2 l; of it, 4 R |f| is across the normal at most. Roundings, in units of
+-- 2^-53 l^3: 76 in the gradient, 32 in the normal (4 R \/ r + 4 of its direction, times the gradient, 8 R r rho), 100 in
+-- 2 d g, 64 in f, 84 in the products: less than 512 together.
 areUnitAndAlongTheGradient :: Meeting -> Property
-areUnitAndAlongTheGradient m@(Meeting p n major minor r) = conjoin [along t | t <- meetings m]
+areUnitAndAlongTheGradient m@(Meeting p n major minor r) = conjoin [along (position r t) | t <- meetings m]
   where
     l = extent m
-    along t =
-      let v = position r t
-          w = v - p
+    roundings = 512 * 2 ** (-53) * l ** 3
+    along v =
+      let w = v - p
           h = dot (vector n) w
+          (_, rho) = cylindrical p n v
           g = quadrance w + (major - minor) * (major + minor)
           gradient = 4 * g *^ w - 8 * major * major *^ (w - h *^ vector n)
           normal = torusNormal p n major minor v
-          size = modulus gradient
-       in counterexample (show (t, normal, gradient)) $
-            valid normal .&&. (size < 1e-4 * l ** 3 || modulus (cross (vector normal) gradient) < (1e-8 * l ** 3 + 64 * l * l * blur m t) * (1 + l / minor))
-              .&&. (size < 1e-4 * l ** 3 || g < 0 || dot (vector normal) gradient > 0)
+          (outer, inner) = sheets m v
+          (mine, other, away) = if g < 0 then (inner, outer, rho + major) else (outer, inner, rho - major)
+          fromCircle = sqrt (away * away + h * h)
+       in counterexample (show (v, normal, gradient, mine)) $
+            valid normal
+              .&&. modulus (cross (vector normal) gradient) <= 4 * major * abs mine + roundings
+              .&&. abs (dot (vector normal) gradient - 2 * fromCircle * other) <= 4 * l * abs mine + roundings
 
--- | Half way between where a line enters a ring torus and where it leaves it, it is inside, and between leaving and entering it is not; unless it is so near to the surface that it
--- cannot be said.
+-- | Half way between where a line enters a ring torus and where it leaves it, it is inside, and between leaving and
+-- entering it is not; unless it is on the surface, 'roundThickness' of r deep, or no farther from it than the hits
+-- themselves may be (see 'areOnTheTorus').
 isBetweenHits :: Meeting -> Property
 isBetweenHits m@(Meeting p n major minor r) = minor < major && length ts `elem` [2, 4] ==> conjoin (zipWith3 check (cycle [True, False]) ts (drop 1 ts))
   where
     ts = meetings m
     check expected s t =
-      let v = position r (s + (t - s) / 2)
+      let middle = s + (t - s) / 2
+          v = position r middle
           (h, rho) = cylindrical p n v
-          away = sqrt ((rho - major) * (rho - major) + h * h) / minor
-       in counterexample (show (s, t, away)) (abs (away - 1) < 1e-6 || torusContains p n major minor v == expected)
+          off = abs (sqrt ((rho - major) * (rho - major) + h * h) - minor)
+       in counterexample (show (s, t, off)) (off <= roundThickness * minor + offTheRing m middle || torusContains p n major minor v == expected)
 
--- | On the axis everything has an answer: the normal is unit, and inside is what is nearer to the circle than r.
+-- | On the axis everything has an answer: the normal is unit, and inside is what is nearer to the circle than r less its
+-- 'roundThickness'.
+--
+-- The point is rounded to 2^-53 of |P| + 2 |h| in each coordinate, its height and its distance from the axis by 12
+-- roundings of h, and its distance from the circle by 4 of R + |h|: less than 32 together, of |P| + |h| + R.
 isTotalOnTheAxis :: Meeting -> Property
 isTotalOnTheAxis (Meeting p n major minor _) = conjoin $ do
   h <- [0, 1, -1, minor, negate minor]
   let v = p + h *^ vector n
+      away = sqrt (major * major + h * h) - (1 - roundThickness) * minor
   pure $
     counterexample (show h) $
       valid (torusNormal p n major minor v)
-        .&&. (torusContains p n major minor v === (sqrt (major * major + h * h) < (1 - 1e-7) * minor) .||. abs (sqrt (major * major + h * h) - minor) < 1e-6 * minor)
+        .&&. (torusContains p n major minor v === (away < 0) .||. abs away <= 32 * 2 ** (-53) * (modulus p + abs h + major))
 
 -------------------------------------------------------------------------------
 -- Generators

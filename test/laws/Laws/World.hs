@@ -38,15 +38,19 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import qualified Data.Vector.Unboxed as Unboxed
-import Dioptre.Geometry.Bounds (boxHigh, boxLow, ofShape)
+import Dioptre.Geometry.Axis (axis, roundRadius, roundShape)
+import Dioptre.Geometry.Bounds (ofShape)
+import Dioptre.Geometry.Box (boxHigh, boxLow)
+import Dioptre.Geometry.Cap (cap)
 import Dioptre.Geometry.Disk (disk)
+import Dioptre.Geometry.Lens (lens)
 import Dioptre.Geometry.Mesh
 import Dioptre.Geometry.Plane (plane)
 import Dioptre.Geometry.Prepared (contains, normalAt, prepare, textureAt)
 import Dioptre.Geometry.PreparedMesh (triangleShape)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
-import Dioptre.Geometry.Round (axis, cap, lens, roundRadius, roundShape, torus)
 import Dioptre.Geometry.Shape (Shape (..))
+import Dioptre.Geometry.Torus (torus)
 import Dioptre.Geometry.Triangle (Corners (..))
 import Dioptre.Light.Finish (Colours (..), Finish (..), finish, withPictures)
 import Dioptre.Light.Material (Material (..), standard)
