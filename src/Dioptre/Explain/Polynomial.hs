@@ -40,6 +40,7 @@ import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Torus (TorusLine (..), torusEquation, torusLine, torusMajor, torusMinor, torusParameters, torusPlane)
 import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, smoothTriangleFlat, triangleNormal, trianglePoints)
 import Dioptre.Geometry.Tube (across, circle, tubeLineParameters)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, unit, vector, (*^))
 import Dioptre.Syntax.Value (showReal)
@@ -212,7 +213,7 @@ lensConditions p1 s l radius c1 c2 r = Told (Just (t0, 1)) [(side, unmeasured (r
 -- Over a disk, and around a circle
 
 capConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
-capConditions centre n radius c r = Told (Just (t0, 1)) [(overDisk TheSphere (vector n) radius m p equation 0, [(x, SideOfDisk) | abs t0 < 1 / 0, x <- rootsOf equation]) `countedFrom` t0]
+capConditions centre n radius c r = Told (Just (t0, 1)) [(overDisk TheSphere (vector n) radius m p equation 0, [(x, SideOfDisk) | abs t0 < infinity, x <- rootsOf equation]) `countedFrom` t0]
   where
     m = centreDepth radius c
     (t0, p) = nextTo (origin r - centre) (direction r)

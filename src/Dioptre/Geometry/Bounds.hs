@@ -42,6 +42,7 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Torus (torusMajor, torusMinor, torusPlane)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
+import Dioptre.Math.Order (larger)
 import Dioptre.Math.Transform (placement)
 import Dioptre.Math.Vector (Point, Unit, unit, vector, (*^))
 import Linear.V3 (V3 (..))
@@ -70,7 +71,7 @@ ofShape shape = case shape of
 
 -- | How far a disk reaches from its centre along each axis: R sqrt (1 - n_i^2). (The axis less its part along n has that length, and points to the farthest point.)
 reach :: Unit -> Double -> V3 Double
-reach n radius = (\c -> radius * sqrt (upper 0 ((1 - c) * (1 + c)))) <$> vector n
+reach n radius = (\c -> radius * sqrt (larger ((1 - c) * (1 + c)) 0)) <$> vector n
 
 -- | Of the sphere around C with radius R.
 ofSphere :: Point -> Double -> Box
@@ -117,10 +118,6 @@ ofLens p1 p2 radius (c1, c2) = case unit (p2 - p1) of
   Nothing -> ofTube p1 p2 radius
   where
     bulge c = larger (faceDepth radius c) 0
-
-upper :: Double -> Double -> Double
-upper x y = if y > x then y else x
-{-# INLINE upper #-}
 
 -- Note [How much larger]
 -- ~~~~~~~~~~~~~~~~~~~~~~

@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -48,6 +47,8 @@ where
 
 import Data.List (foldl')
 import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Math.Order (larger, smaller)
+import Dioptre.Math.Tolerance (boxGrowth, cornerSlack, slabSlack)
 import Dioptre.Math.Transform (Placement, transformPosition)
 import Dioptre.Math.Vector (Packed, Point, packed, unpacked)
 import Linear.V3 (V3 (..))
@@ -96,7 +97,7 @@ around p extent = spanned (p - extent) (p + extent)
 --
 -- Laws: commutative, associative, idempotent; it holds what either holds.
 union :: Box -> Box -> Box
-union a b = spanned (lower <$> boxLow a <*> boxLow b) (upper <$> boxHigh a <*> boxHigh b)
+union a b = spanned (smaller <$> boxLow b <*> boxLow a) (larger <$> boxHigh b <*> boxHigh a)
 {-# INLINE union #-}
 
 -- | The least box that holds a point and others.
@@ -108,18 +109,13 @@ spanned :: Point -> Point -> Box
 spanned low high = Box (packed low) (packed high)
 {-# INLINE spanned #-}
 
-lower, upper :: Double -> Double -> Double
-lower x y = if y < x then y else x
-upper x y = if y > x then y else x
-{-# INLINE lower #-}
-{-# INLINE upper #-}
-
 -- | A box that is larger by 2^-20 of its longest edge, and by 2^-48 of its largest coordinate, in every direction. Flat
 -- boxes get a thickness. See Note [How much larger] of "Dioptre.Geometry.Bounds".
 enlarged :: Box -> Box
 enlarged b = spanned (subtract slack <$> boxLow b) ((+ slack) <$> boxHigh b)
   where
-    slack = 0x1p-20 * foldr upper 0 (boxHigh b - boxLow b) + 0x1p-48 * foldr (upper . abs) (foldr (upper . abs) 0 (boxLow b)) (boxHigh b)
+    slack = boxGrowth * foldr largest 0 (boxHigh b - boxLow b) + cornerSlack * foldr largest (foldr largest 0 (boxLow b)) (boxHigh b)
+    largest = flip larger . abs
 
 -- | A box that holds what becomes of a box: around its eight corners, and a little larger.
 transformed :: Placement -> Box -> Box
@@ -145,7 +141,7 @@ approach r = Approach (packed (origin r)) (packed i) (packed (wider <$> i)) (fac
   where
     i@(V3 ix iy iz) = recip <$> direction r
     wider :: Double -> Double
-    wider c = c * 0x1.0000000000004p0
+    wider c = c * (1 + slabSlack)
     face :: Int -> Double -> Int
     face k c = if c >= 0 then k else k + 3
 {-# INLINE approach #-}
@@ -181,7 +177,7 @@ meets (Approach o i j fx fy fz) face !far
     !leaveY = (face (5 - fy) - oy) * jy
     !enterZ = (face fz - oz) * iz
     !leaveZ = (face (7 - fz) - oz) * jz
-    !bound = far * 0x1.0000000000004p0
+    !bound = far * (1 + slabSlack)
 {-# INLINE meets #-}
 
 -- Note [Comparing in pairs]

@@ -42,6 +42,7 @@ import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Disk (Disk, diskRadius)
 import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
 import Dioptre.Geometry.Ray (Ray, direction, nextTo, origin)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
 
 -- | The curved cap of a sphere over a disk, without the disk.
@@ -92,7 +93,7 @@ beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
 -- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
 capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 capParameters centre normal radius c r =
-  [t0 + t | abs t0 < 1 / 0, t <- rootsOf (sphereOver n radius (centreDepth radius c) p d), signum c * dot (p + t *^ d) n >= 0]
+  [t0 + t | abs t0 < infinity, t <- rootsOf (sphereOver n radius (centreDepth radius c) p d), signum c * dot (p + t *^ d) n >= 0]
   where
     n = vector normal
     d = direction r

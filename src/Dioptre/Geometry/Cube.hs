@@ -33,7 +33,7 @@ where
 
 import Dioptre.Geometry.Interval (Interval (..), intersection, slab)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
-import Dioptre.Math.Order (finite, infinity, larger, smaller)
+import Dioptre.Math.Order (finite)
 import Dioptre.Math.Tolerance (surfaceThickness)
 import Dioptre.Math.Vector (Point, Unit, alongX, alongY, alongZ, opposite)
 import GHC.Exts (build)

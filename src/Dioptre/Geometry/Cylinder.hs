@@ -30,6 +30,7 @@ import Dioptre.Geometry.Interval (Interval (..), everywhere, intersection, nowhe
 import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position)
 import Dioptre.Geometry.Tube (across, circle, tubeNormal)
+import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector)
 import GHC.Exts (build)
@@ -55,7 +56,7 @@ cylinderParameters p1 s h radius r = build $ \cons nil ->
   let !(Interval enter leave) = intersection (curvedPart p1 s radius r) (between p1 s h r)
       !inside = leave - enter
    in -- Parameters so large that they are infinite are no parameters: their difference is NaN or infinite.
-      if inside >= 0 && inside < 1 / 0 then cons enter (cons leave nil) else nil
+      if inside >= 0 && inside < infinity then cons enter (cons leave nil) else nil
 {-# INLINE cylinderParameters #-}
 
 -- | Where the line is in the infinite bar.

@@ -48,6 +48,7 @@ import Data.Word (Word64)
 import Dioptre.Geometry.Box (Approach, Box, box, boxFace, meets, runsDown)
 import Dioptre.Geometry.Link
 import Dioptre.Geometry.Partition (Part (..), partition)
+import Dioptre.Math.Order (infinity)
 import Linear.V3 (V3 (..))
 
 -- | Boxes in boxes over items that are known by their numbers, from 0 up.
@@ -158,7 +159,7 @@ hierarchy n boxOf
       target <- newPrimArray (6 * n)
       let fill !i = when (i < n) $ do
             case boxOf i of
-              Nothing -> writePrimArray target (6 * i) (1 / 0) >> setPrimArray target (6 * i + 1) 5 0
+              Nothing -> writePrimArray target (6 * i) infinity >> setPrimArray target (6 * i + 1) 5 0
               Just b -> forM_ [0 .. 5] $ \k -> writePrimArray target (6 * i + k) (boxFace b k)
             fill (i + 1)
       fill 0

@@ -22,6 +22,8 @@ module Dioptre.Geometry.Interval
   )
 where
 
+import Dioptre.Math.Order (infinity, larger, smaller)
+
 -- | The parameters from a first to a last, both included; none if the first is the greater. Either may be infinite.
 data Interval = Interval !Double !Double
 
@@ -32,13 +34,9 @@ nowhere = Interval infinity (negate infinity)
 {-# INLINE everywhere #-}
 {-# INLINE nowhere #-}
 
-infinity :: Double
-infinity = 1 / 0
-{-# INLINE infinity #-}
-
 -- | What two intervals share. Where an end of either is NaN, that of the second is kept.
 intersection :: Interval -> Interval -> Interval
-intersection (Interval a b) (Interval c d) = Interval (if a > c then a else c) (if b < d then b else d)
+intersection (Interval a b) (Interval c d) = Interval (larger a c) (smaller b d)
 {-# INLINE intersection #-}
 
 -- | Where the height h0 + t dh above a plane is from low to high, in the order of these names.

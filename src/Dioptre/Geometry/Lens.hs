@@ -147,7 +147,7 @@ faceEquation radius face = sphereOver (faceAxis face) radius (faceCentre face) (
 -- no end that the dome makes, becomes infinite. See Note [Domes].
 dome :: Double -> Face -> Vector -> Interval -> Interval
 dome radius face d (Interval enter leave) = case rootsOf (faceEquation radius face d) of
-  [x, y] -> Interval (if below enter then negate (1 / 0) else faceShift face + x) (if below leave then 1 / 0 else faceShift face + y)
+  [x, y] -> Interval (if below enter then negate infinity else faceShift face + x) (if below leave then infinity else faceShift face + y)
   _ -> Interval low high
   where
     below t = low <= t && t <= high

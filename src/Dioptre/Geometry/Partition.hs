@@ -42,6 +42,7 @@ import Control.Monad (when)
 import Control.Monad.ST (ST, runST)
 import Data.Primitive.PrimArray
 import Dioptre.Geometry.Link
+import Dioptre.Math.Order (infinity, larger, smaller)
 import GHC.Conc (par, pseq)
 
 -- | Some items put into boxes. Places count from the part's own first item.
@@ -201,7 +202,7 @@ bestSplit boxes order bins !lo !hi
           count bins (slot used 2 (binAt alongZ z)) around
         -- Sweep the planes between the bins. (Any coordinate's bins hold all items, also where all are in the first.)
         area <- halfArea <$> overBins bins used
-        planeX <- sweep bins used n 0 alongX (Plane (1 / 0) (-1) 0)
+        planeX <- sweep bins used n 0 alongX (Plane infinity (-1) 0)
         planeXY <- sweep bins used n 1 alongY planeX
         Plane cost coordinate bin <- sweep bins used n 2 alongZ planeXY
         -- Compare the best of them with a leaf.
@@ -253,7 +254,7 @@ data Ruler = Ruler !Double !Double
 -- | So many bins from the least number to the greatest, which is in the last one.
 ruler :: Int -> Double -> Double -> Ruler
 ruler used from to
-  | to > from && scale < 1 / 0 = Ruler from scale
+  | to > from && scale < infinity = Ruler from scale
   | otherwise = Ruler from 0
   where
     !scale = fromIntegral used * 0x0.fffffffffffp0 / (to - from)
@@ -347,7 +348,7 @@ moveToFront order lo hi isFirst = go lo (hi - 1)
 data Extent = Extent !Double !Double !Double !Double !Double !Double
 
 nothing :: Extent
-nothing = Extent (1 / 0) (1 / 0) (1 / 0) (-1 / 0) (-1 / 0) (-1 / 0)
+nothing = Extent infinity infinity infinity (negate infinity) (negate infinity) (negate infinity)
 {-# INLINE nothing #-}
 
 -- | The least that holds two.

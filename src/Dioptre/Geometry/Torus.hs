@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE HexFloatLiterals #-}
 {-# OPTIONS_GHC -O2 -fno-full-laziness #-}
 
 -- |
@@ -107,7 +106,7 @@ torusParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 torusParameters p n major minor r = build $ \cons nil ->
   let !(TorusLine l t0 scale c height slope) = torusLine p n major minor r
       !outer = (major + minor) / l
-   in if c <= 0x1.0000000001p0 * (outer * outer)
+   in if c <= (1 + torusSlack) * (outer * outer)
         then foldr (\s -> cons ((t0 + s) * scale)) nil (meetings (major / l) (minor / l) c height slope)
         else nil
 {-# INLINE torusParameters #-}
