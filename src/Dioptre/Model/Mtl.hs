@@ -168,7 +168,7 @@ sections (s : rest) = let (own, others) = break isNew rest in (s, own) : section
 -- | Adds a material, with the line of its name, to those that there are, unless its name is taken.
 material :: Map Text (Finish Named, Int) -> (Statement, [Statement]) -> (Map Text (Finish Named, Int), [Diagnostic])
 material known (Statement word rest l, properties) = case (rest, Map.lookup name known) of
-  ([], _) -> (known, Diagnostic (tokenSpan word) (RefusedValue "newmtl" NothingThere SomeText "none") : faults)
+  ([], _) -> (known, Diagnostic (tokenSpan word) (RefusedValue "newmtl" NothingThere SomeText (Kept "none")) : faults)
   (t : _, Just (_, first)) -> (known, Diagnostic (tokenSpan t) (RepeatedMaterial name first) : faults)
   (_, Nothing) -> (Map.insert name (finish, spanLine (tokenSpan word)) known, faults)
   where
@@ -198,7 +198,7 @@ property (Statement word rest l) = case tokenText word of
   "map_Ks" -> Just (picture (\name f -> withSpecular (painted name (finishSpecular f)) f))
   _ -> Nothing
   where
-    refused place why wanted kept = Diagnostic place (RefusedValue (tokenText word) why wanted kept)
+    refused place why wanted kept = Diagnostic place (RefusedValue (tokenText word) why wanted (Kept kept))
     -- A comment may follow them.
     numbers = takeWhile (not . ("#" `Text.isPrefixOf`) . tokenText) rest
     painted name (Layer plain _) = Layer plain (Just name)

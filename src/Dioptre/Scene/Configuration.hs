@@ -32,7 +32,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Scene.Form (Form (..), booleanForm, choice, integerWithin, optionally, outputName, outputNameEnding, text)
 import Dioptre.Scene.Schema
-import Dioptre.Source.Diagnostic (Diagnostic, Expectation, PassedOver (TheLine), Problem (..), Refusal (NameTaken))
+import Dioptre.Source.Diagnostic (Diagnostic, Expectation, Instead (Kept), PassedOver (TheLine), Problem (..), Refusal (NameTaken))
 import Dioptre.Source.Language (Language, languageNames)
 import Dioptre.Source.Span (Span (..), wholeFile)
 import Dioptre.Syntax.Keyword (Keyword)
@@ -104,7 +104,7 @@ checkConfiguration withObjects = runCheck $ do
       | otherwise = do
         -- There are fewer other names than these, so that one of them is free.
         let free = fromMaybe instead (find (not . clashes) (instead : [prefix <> instead | prefix <- ["dioptre_", "dioptre_2_", "dioptre_3_", "dioptre_4_"]]))
-        report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) free)
+        report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) (Kept free))
         pure free
       where
         place = fromMaybe wholeFile (placeOfValue word (Block (Head wholeFile "" Nothing) tree (ByEnd wholeFile)))

@@ -43,6 +43,7 @@ module Dioptre.Scene.Form
 where
 
 import Data.Char (isControl, isDigit)
+import Data.Maybe (listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..), named, names)
@@ -60,12 +61,17 @@ import Linear.V3 (V3 (..))
 data Form v = Form
   { formExpectation :: Expectation,
     formRead :: Value -> Either (Span, Refusal) v,
-    formShow :: v -> Text
+    -- | 'Nothing' for a value that is none, of which there is nothing to write.
+    formShow :: v -> Maybe Text
   }
 
 -- | A form of one token; what follows the token is ignored.
 scalar :: Expectation -> (Text -> Either Refusal v) -> (v -> Text) -> Form v
-scalar expectation reads' = Form expectation $ \value -> case tokens value of
+scalar expectation reads' shows' = Form expectation (first reads') (Just . shows')
+
+-- | What the first token of a value says.
+first :: (Text -> Either Refusal v) -> Value -> Either (Span, Refusal) v
+first reads' value = case tokens value of
   [] -> Left (valueSpan value, NothingThere)
   token : _ -> at token reads'
 
@@ -120,17 +126,17 @@ decimalsBehindComma expectation value = case (expectation, tokens value) of
 
 -- | Three real numbers.
 vectorForm :: Form Vector
-vectorForm = Form AVector vector3 showVector
+vectorForm = Form AVector vector3 (Just . showVector)
 
 -- | Three real numbers that make a vector of at least 'smallestLength'.
 directionForm :: Form Vector
-directionForm = Form ADirection reads' showVector
+directionForm = Form ADirection reads' (Just . showVector)
   where
     reads' value = vector3 value >>= \v -> if modulus v < smallestLength then Left (valueSpan value, ZeroVector) else Right v
 
 -- | Three real numbers, none of them zero.
 scaleForm :: Form Vector
-scaleForm = Form AVectorWithoutZero reads' showVector
+scaleForm = Form AVectorWithoutZero reads' (Just . showVector)
   where
     reads' value = vector3 value >>= \v -> if 0 `elem` v then Left (valueSpan value, ZeroComponent) else Right v
 
@@ -144,7 +150,7 @@ showVector (V3 x y z) = list "[" "]" [x, y, z]
 
 -- | Two real numbers.
 textureForm :: Form (V2 Double)
-textureForm = Form TwoCoordinates reads' (\(V2 u v) -> list "[" "]" [u, v])
+textureForm = Form TwoCoordinates reads' (\(V2 u v) -> Just (list "[" "]" [u, v]))
   where
     reads' value = case tokens value of
       [u, v] -> V2 <$> at u real <*> at v real
@@ -152,7 +158,7 @@ textureForm = Form TwoCoordinates reads' (\(V2 u v) -> list "[" "]" [u, v])
 
 -- | A name, a name and an alpha, three channels, or three channels and an alpha.
 colourForm :: Form Colour
-colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> list "[ " " ]" [r, g, b, a])
+colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just (list "[ " " ]" [r, g, b, a]))
   where
     reads' value = case tokens value of
       [name] -> at name byName
@@ -186,11 +192,9 @@ commaInNumber t = or (zipWith both (Text.splitOn "," t) (drop 1 (Text.splitOn ",
 
 -- | One of some words, in any case, or its number counted from 0; written as the word.
 choice :: Eq v => [(Text, v)] -> Form v
-choice options = scalar (AChoice (map fst options)) reads' (maybe "" fst . lookupValue)
+choice options = Form (AChoice (map fst options)) (first reads') wordFor
   where
-    lookupValue v = case filter ((== v) . snd) options of
-      found : _ -> Just found
-      [] -> Nothing
+    wordFor v = listToMaybe [word | (word, w) <- options, w == v]
     reads' t = case lookup (Text.toLower t) options of
       Just v -> Right v
       Nothing -> case integer t of
@@ -237,7 +241,7 @@ unsafe t
   | otherwise = Nothing
 
 textThat :: Expectation -> (Text -> Maybe Refusal) -> Form Text
-textThat expectation refuses = Form expectation reads' id
+textThat expectation refuses = Form expectation reads' Just
   where
     reads' (Value place t)
       | Text.null t = Left (place, NothingThere)
@@ -245,8 +249,8 @@ textThat expectation refuses = Form expectation reads' id
 
 -- | The same form, written with a unit after it (which reading ignores).
 withUnit :: Text -> Form v -> Form v
-withUnit unitName form = form {formShow = \v -> formShow form v <> " " <> unitName}
+withUnit unitName form = form {formShow = fmap (<> " " <> unitName) . formShow form}
 
 -- | The same form for a value that need not be there. There is nothing to write where it is not.
 optionally :: Form v -> Form (Maybe v)
-optionally form = Form (formExpectation form) (fmap Just . formRead form) (maybe "" (formShow form))
+optionally form = Form (formExpectation form) (fmap Just . formRead form) (>>= formShow form)

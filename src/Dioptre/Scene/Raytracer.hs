@@ -1,4 +1,5 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -17,7 +18,7 @@ module Dioptre.Scene.Raytracer
 where
 
 import Data.Text (Text)
-import Dioptre.Scene.Form (choice, count, formShow)
+import Dioptre.Scene.Form (choice, count)
 import Dioptre.Scene.Schema (Schema (..), one)
 import qualified Dioptre.Syntax.Keyword as Keyword
 
@@ -98,11 +99,19 @@ raytracerSchema =
 
 -- | The scene language's word for an algorithm.
 algorithmName :: ReflexionAlgorithm -> Text
-algorithmName = formShow (choice algorithms)
+algorithmName = \case
+  NoLight -> "no_light"
+  AmbientOnly -> "ambient"
+  DiffuseOnly -> "diffuse"
+  PhongSpecular -> "phong_specular"
+  BlinnSpecular -> "blinn_specular"
+  NoSpecular -> "no_specular"
+  Phong -> "phong"
+  Blinn -> "blinn"
 
 -- The position of each word is the number that the scene language accepts for it.
 algorithms :: [(Text, ReflexionAlgorithm)]
-algorithms = zip ["no_light", "ambient", "diffuse", "phong_specular", "blinn_specular", "no_specular", "phong", "blinn"] [minBound ..]
+algorithms = [(algorithmName a, a) | a <- [minBound ..]]
 
 coordinates :: [(Text, PixelCoordinate)]
 coordinates = zip ["top_left", "top_right", "bottom_left", "bottom_right", "center", "random"] [minBound ..]

@@ -58,7 +58,6 @@ import Data.Maybe (isJust, listToMaybe)
 import Data.Sequence (Seq)
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
-import qualified Data.Text as Text
 import Dioptre.Geometry.Shape (Shape)
 import Dioptre.Scene.Form (Form (..), decimalsBehindComma)
 import Dioptre.Source.Diagnostic
@@ -198,7 +197,7 @@ fill (Property _ form slots) k before p = case slotFor of
       for_ (decimalsBehindComma (formExpectation form) value) $ \number -> report (valueSpan value) (DecimalComma (headText word) number)
       pure after
     Left (place, refusal) ->
-      before <$ report (orWord place) (RefusedValue (headText word) refusal (formExpectation form) (formShow form (slotGet slot before)))
+      before <$ report (orWord place) (RefusedValue (headText word) refusal (formExpectation form) (maybe TheDefault Kept (formShow form (slotGet slot before))))
   where
     word = Tree.propertyHead p
     value = Tree.propertyValue p
@@ -267,16 +266,16 @@ writeProperties schema object = concatMap property (schemaProperties schema)
   where
     opened = schemaOpen schema object
     property (Property (word :| _) form slots) =
-      [Line word value | slot <- toList slots, let value = formShow form (slotGet slot opened), not (Text.null value)]
+      [Line word value | slot <- toList slots, Just value <- [formShow form (slotGet slot opened)]]
 
 -- | The words that may stand in an object, its @end@ included.
 admissible :: Schema a b -> [Keyword]
 admissible schema =
   End : concat [toList words' | Property words' _ _ <- schemaProperties schema] <> [w | Just _ <- [schemaShape schema], w <- [minBound ..], isShape w]
 
--- | For each property of an object: its words, what it expects, and its defaults as they would be written.
+-- | For each property of an object: its words, what it expects, and those of its defaults that can be written.
 describe :: Schema a b -> [([Keyword], Expectation, [Text])]
 describe schema =
-  [ (toList words', formExpectation form, [formShow form (slotGet slot (schemaDraft schema)) | slot <- toList slots])
+  [ (toList words', formExpectation form, [value | slot <- toList slots, Just value <- [formShow form (slotGet slot (schemaDraft schema))]])
     | Property words' form slots <- schemaProperties schema
   ]

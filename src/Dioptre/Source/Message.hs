@@ -102,20 +102,20 @@ message l = \case
     say
       [number n, if n == 1 then " piece of a curve ends" else " pieces of curves end", " in the point where it starts; here is the first"]
       [number n, if n == 1 then " morceau de courbe finit" else " morceaux de courbe finissent", " au point de départ\xA0; voici le premier"]
-  BadCoordinates w refusal -> refused l w refusal
+  BadCoordinates what refusal -> refused l (lineWord what) refusal
   BadFace flaw -> badFace l flaw
   MissingVertex index count ->
     say
       ["there is no vertex ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
       ["il n'y a pas de sommet ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
-  MissingAttribute w index count ->
+  MissingAttribute a index count ->
     say
-      ["there is no ", attribute w, " ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
-      ["il n'y a pas de ", attribute w, " ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
-  NoAttributes w n ->
+      ["there is no ", attribute a, " ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
+      ["il n'y a pas de ", attribute a, " ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
+  NoAttributes a n ->
     say
-      [number n, if n == 1 then " face names a " else " faces name a ", attribute w, " where none stands before; here is the first"]
-      [number n, if n == 1 then " face nomme une " else " faces nomment une ", attribute w, " alors qu'aucune ne précède\xA0; voici la première"]
+      [number n, if n == 1 then " face names a " else " faces name a ", attribute a, " where none stands before; here is the first"]
+      [number n, if n == 1 then " face nomme une " else " faces nomment une ", attribute a, " alors qu'aucune ne précède\xA0; voici la première"]
   CollinearTriangles n ->
     say
       [number n, if n == 1 then " triangle has its corners on one line" else " triangles have their corners on one line", "; here is the first"]
@@ -158,7 +158,16 @@ message l = \case
     folderList = Text.intercalate ", " . map Text.pack
     chain = Text.intercalate " > " . map Text.pack
     times n = inLanguage l (if n == 1 then "once" else number n <> " times") (number n <> " fois")
-    attribute w = if w == "vt" then inLanguage l "texture coordinate" "coordonnée de texture" else inLanguage l "normal" "normale"
+    attribute = \case
+      TextureCoordinate -> inLanguage l "texture coordinate" "coordonnée de texture"
+      Normal -> inLanguage l "normal" "normale"
+
+-- | The word that begins a line of such numbers.
+lineWord :: Coordinates -> Text
+lineWord = \case
+  OfVertex -> "v"
+  OfAttribute TextureCoordinate -> "vt"
+  OfAttribute Normal -> "vn"
 
 badFace :: Language -> FaceFlaw -> Text
 badFace l = \case
@@ -269,9 +278,10 @@ expected l = \case
   DifferingUvFormat {} -> Just (inLanguage l "one 'uv_format' for a file" "un seul 'uv_format' pour un fichier")
   BrokenCurve _ -> Just (inLanguage l "three lines of equally many real numbers: x, y and z" "trois lignes d'autant de nombres réels\xA0: x, y et z")
   PiecesWithoutLength _ -> Nothing
-  BadCoordinates w _ -> Just $ case w of
-    "vt" -> inLanguage l "one to three real numbers" "de un à trois nombres réels"
-    _ -> inLanguage l "three real numbers" "trois nombres réels"
+  BadCoordinates what _ -> Just $ case what of
+    OfVertex -> threeNumbers
+    OfAttribute TextureCoordinate -> inLanguage l "one to three real numbers" "de un à trois nombres réels"
+    OfAttribute Normal -> threeNumbers
   BadFace flaw -> Just $ case flaw of
     NotACorner _ -> inLanguage l "i, i/t, i//n or i/t/n: integers, counted from 1, or from -1 backwards" "i, i/t, i//n ou i/t/n\xA0: des entiers, à partir de 1, ou de -1 à rebours"
     OtherForm {} -> inLanguage l "corners of one form" "des sommets d'une même forme"
@@ -291,6 +301,7 @@ expected l = \case
   SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
   Departs _ -> Nothing
   where
+    threeNumbers = inLanguage l "three real numbers" "trois nombres réels"
     indices count
       | count == 0 = inLanguage l "its line before the faces that use it" "sa ligne avant les faces qui l'utilisent"
       | otherwise = inLanguage l ("1 to " <> number count <> ", or -1 to -" <> number count) ("1 à " <> number count <> ", ou -1 à -" <> number count)
@@ -325,8 +336,8 @@ used l = \case
   MisspeltEnd _ -> Just "end"
   MissingEnd _ _ -> say "what was read of it" "ce qui en a été lu"
   UnclosedComment -> say "nothing: the rest of the file is passed over" "rien\xA0: le reste du fichier est ignoré"
-  RefusedValue _ _ _ "" -> say "the default" "la valeur par défaut"
-  RefusedValue _ _ _ kept -> Just kept
+  RefusedValue _ _ _ TheDefault -> say "the default" "la valeur par défaut"
+  RefusedValue _ _ _ (Kept value) -> Just value
   RepeatedProperty {} -> say "the values before it" "les valeurs précédentes"
   SecondShape _ -> say "the first one" "la première"
   ImpossibleObject _ _ LeftOut -> say "nothing: it is left out" "rien\xA0: il est omis"
@@ -344,14 +355,14 @@ used l = \case
   DifferingUvFormat _ first -> Just first
   BrokenCurve _ -> say "nothing: the curve is left out" "rien\xA0: la courbe est omise"
   PiecesWithoutLength _ -> say "nothing: they are left out" "rien\xA0: ils sont omis"
-  BadCoordinates w _ -> case w of
-    "v" -> say "nothing: the faces that use this vertex are left out" "rien\xA0: les faces qui utilisent ce sommet sont omises"
-    "vt" -> Just "0.0 0.0"
-    _ -> say "the normal of the flat triangle" "la normale du triangle plat"
+  BadCoordinates what _ -> case what of
+    OfVertex -> say "nothing: the faces that use this vertex are left out" "rien\xA0: les faces qui utilisent ce sommet sont omises"
+    OfAttribute TextureCoordinate -> Just "0.0 0.0"
+    OfAttribute Normal -> say "the normal of the flat triangle" "la normale du triangle plat"
   BadFace _ -> faceLeftOut
   MissingVertex {} -> faceLeftOut
-  MissingAttribute w _ _ -> without w
-  NoAttributes w _ -> without w
+  MissingAttribute a _ _ -> without a
+  NoAttributes a _ -> without a
   CollinearTriangles _ -> say "nothing: they are left out" "rien\xA0: ils sont omis"
   LongLine _ -> say "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
   TooManyLibraries _ -> say "the ones before" "les précédentes"
@@ -365,9 +376,9 @@ used l = \case
   Departs departure -> Just (here l departure)
   where
     say en fr = Just (inLanguage l en fr)
-    without w
-      | w == "vt" = say "no texture coordinates for the face" "aucune coordonnée de texture pour la face"
-      | otherwise = say "the normals of the flat triangles" "les normales des triangles plats"
+    without = \case
+      TextureCoordinate -> say "no texture coordinates for the face" "aucune coordonnée de texture pour la face"
+      Normal -> say "the normals of the flat triangles" "les normales des triangles plats"
     faceLeftOut = say "nothing: the face is left out" "rien\xA0: la face est omise"
     modelLeftOut = say "nothing: the model is left out" "rien\xA0: le modèle est omis"
     passedOver = \case

@@ -43,16 +43,16 @@ spec = do
     it "keeps the value before a fault, and tells it" $
       readConfiguration ["application 4", "application 5", "application consol", "log_file -1", "log_file maybe", "viewport_image_count 1000", "viewport_image_count 1.0", "read_data ", "log_file_name x.log", "write_data a/b", "language de"]
         `shouldBe` ( (fst (readConfiguration [])) {configurationApplication = RunComparator},
-                     [ at 2 13 14 (RefusedValue "application" (OutOfRange "5") applications "comparator"),
-                       at 3 13 19 (RefusedValue "application" (NoSuchChoice "consol" (Just "console")) applications "comparator"),
-                       at 4 10 12 (RefusedValue "log_file" (OutOfRange "-1") ABoolean "true"),
-                       at 5 10 15 (RefusedValue "log_file" (NoSuchChoice "maybe" Nothing) ABoolean "true"),
-                       at 6 22 26 (RefusedValue "viewport_image_count" (OutOfRange "1000") (AnInteger (Between "0" "999")) "0"),
-                       at 7 22 25 (RefusedValue "viewport_image_count" (NotAnInteger "1.0") (AnInteger (Between "0" "999")) "0"),
-                       at 8 1 10 (RefusedValue "read_data" NothingThere SomeText "read_data_file_name.txt"),
-                       at 9 15 20 (RefusedValue "log_file_name" WrongEnding (AnOutputNameEnding ".txt") "log.txt"),
-                       at 10 12 15 (RefusedValue "write_data" UnsafeName AnOutputName "write_data_file_name.txt"),
-                       at 11 10 12 (RefusedValue "language" (NoSuchChoice "de" Nothing) (AChoice ["en", "fr", "english", "french", "anglais", "francais", "fran\231ais"]) "")
+                     [ at 2 13 14 (RefusedValue "application" (OutOfRange "5") applications (Kept "comparator")),
+                       at 3 13 19 (RefusedValue "application" (NoSuchChoice "consol" (Just "console")) applications (Kept "comparator")),
+                       at 4 10 12 (RefusedValue "log_file" (OutOfRange "-1") ABoolean (Kept "true")),
+                       at 5 10 15 (RefusedValue "log_file" (NoSuchChoice "maybe" Nothing) ABoolean (Kept "true")),
+                       at 6 22 26 (RefusedValue "viewport_image_count" (OutOfRange "1000") (AnInteger (Between "0" "999")) (Kept "0")),
+                       at 7 22 25 (RefusedValue "viewport_image_count" (NotAnInteger "1.0") (AnInteger (Between "0" "999")) (Kept "0")),
+                       at 8 1 10 (RefusedValue "read_data" NothingThere SomeText (Kept "read_data_file_name.txt")),
+                       at 9 15 20 (RefusedValue "log_file_name" WrongEnding (AnOutputNameEnding ".txt") (Kept "log.txt")),
+                       at 10 12 15 (RefusedValue "write_data" UnsafeName AnOutputName (Kept "write_data_file_name.txt")),
+                       at 11 10 12 (RefusedValue "language" (NoSuchChoice "de" Nothing) (AChoice ["en", "fr", "english", "french", "anglais", "francais", "fran\231ais"]) TheDefault)
                      ]
                    )
     it "tells words that it does not have, and reads on" $ do

@@ -36,7 +36,6 @@ import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.Text (Text)
 import Data.Vector.Unboxed (Vector)
 import Dioptre.Math.Vector (Packed, packed)
 import Dioptre.Model.Growing
@@ -44,7 +43,7 @@ import Dioptre.Model.Obj.Faults (Faults, excerptOf, report)
 import Dioptre.Model.Obj.Lines (Line (..))
 import Dioptre.Model.Single (Scanned (..), scan)
 import Dioptre.Model.Words (blanksFrom, byteAt, hash, wordFrom)
-import Dioptre.Source.Diagnostic (Guess (NoGuess), Problem (BadCoordinates), Refusal (NotANumber, NothingThere, TooLarge, WrongCount))
+import Dioptre.Source.Diagnostic (Attribute (..), Coordinates (..), Guess (NoGuess), Problem (BadCoordinates), Refusal (NotANumber, NothingThere, TooLarge, WrongCount))
 import GHC.Float (double2Float, float2Double)
 import Linear.V3 (V3 (..))
 
@@ -73,7 +72,7 @@ vertex faults vs line@(Line bytes _ _) start
   | otherwise = do
     push3 (verticesPoints vs) (0 / 0) 0 0
     increase (verticesBadPoints vs) 1
-    refusedNumbers faults line start "v"
+    refusedNumbers faults line start OfVertex
   where
     Triple x y z = triple bytes (start + 1)
 
@@ -86,7 +85,7 @@ normal faults vs line@(Line bytes _ _) start
   | otherwise = do
     push3 (verticesNormals vs) 0 0 0
     increase (verticesZeroNormals vs) 1
-    refusedNumbers faults line start "vn"
+    refusedNumbers faults line start (OfAttribute Normal)
   where
     Triple x y z = triple bytes (start + 2)
 
@@ -96,7 +95,7 @@ textureCoordinate faults vs line@(Line bytes _ _) start
   | isFinite (u + v) = push2 (verticesUvs vs) (double2Float u) (double2Float v)
   | otherwise = do
     push2 (verticesUvs vs) 0 0
-    refusedNumbers faults line start "vt"
+    refusedNumbers faults line start (OfAttribute TextureCoordinate)
   where
     Scanned end u = scan bytes (blanksFrom bytes (start + 2))
     second = blanksFrom bytes end
@@ -119,9 +118,9 @@ triple bytes start = Triple x y z
 isFinite :: Double -> Bool
 isFinite x = x - x == 0
 
--- | Tells why the numbers after this word, three of them or at least one, cannot be read.
-refusedNumbers :: Faults s -> Line -> Int -> Text -> ST s ()
-refusedNumbers faults line@(Line bytes _ _) start word = go (0 :: Int) wordEnd
+-- | Tells why the numbers of the line whose word begins there, three of them or at least one, cannot be read.
+refusedNumbers :: Faults s -> Line -> Int -> Coordinates -> ST s ()
+refusedNumbers faults line@(Line bytes _ _) start what = go (0 :: Int) wordEnd
   where
     n = Bytes.length bytes
     wordEnd = wordFrom bytes start
@@ -135,7 +134,7 @@ refusedNumbers faults line@(Line bytes _ _) start word = go (0 :: Int) wordEnd
       where
         i = blanksFrom bytes from
         Scanned end x = scan bytes i
-    refused from to why = report faults line from to (BadCoordinates word why)
+    refused from to why = report faults line from to (BadCoordinates what why)
 
 -------------------------------------------------------------------------------
 -- Looking up
