@@ -59,8 +59,8 @@ data Wave = Wave
 data Opening
   = Rectangle
   | Ellipse
-  | -- | A picture whose white places are open; @none@ is open everywhere.
-    Mask Text
+  | -- | A picture, by the name of its file, whose white places are open; without one it is open everywhere.
+    Mask (Maybe Text)
   deriving stock (Eq, Show)
 
 -- | Where an opening lies and how large it is.

@@ -94,7 +94,7 @@ isOpen :: Assets -> Opening -> Aperture -> Double -> Double -> Bool
 isOpen assets opening aperture x y = case opening of
   Rectangle -> True
   Ellipse -> let dx = x - w / 2; dy = y - h / 2 in dx * dx / (w * w / 4) + dy * dy / (h * h / 4) <= 1 + 1e-10
-  Mask name -> maybe True (\p -> texel (Texture FromFirstRow p) (V2 (x / w) (y / h)) == white) (Map.lookup name assets)
+  Mask name -> maybe True (\p -> texel (Texture FromFirstRow p) (V2 (x / w) (y / h)) == white) (name >>= (`Map.lookup` assets))
   where
     w = apertureWidth aperture
     h = apertureHeight aperture

@@ -42,6 +42,7 @@ import Dioptre.Light.Light (Light)
 import Dioptre.Light.Material (Material (..), substitute)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Camera, Viewport, cameraSchema, defaultCamera, defaultViewport, viewportSchema)
+import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
 import Dioptre.Scene.Primitive (Model, Primitive (..), modelSchema, primitiveSchema)
@@ -149,7 +150,7 @@ stocked block stock = case headKeyword (blockHead block) of
     -- A name that was begun and is missing has been told.
     namesAFile = case listToMaybe [v | Statement (Property word v) <- reverse (blockNodes block), headKeyword word == Just Keyword.File] of
       Nothing -> report (headSpan (blockHead block)) NoModelFile
-      Just v -> when (valueText v == "none") (report (valueSpan v) NoModelFile)
+      Just v -> when (formRead fileName v == Right Nothing) (report (valueSpan v) NoModelFile)
 
 object :: Draft -> Block -> Check Draft
 object draft block = case headKeyword (blockHead block) of
@@ -171,14 +172,14 @@ object draft block = case headKeyword (blockHead block) of
             report (headSpan (blockHead block)) (ReplacedObject (headText (blockHead block)) (spanLine (headSpan (blockHead before))))
           pure (put (block, made))
 
--- | The pictures that a scene names, where it names them, and what for. The name @none@ stands for none.
+-- | The pictures that a scene names, where it names them, and what for.
 pictureNames :: Tree -> [(Text, FileUse, Span)]
 pictureNames tree =
-  [ (valueText value, use, valueSpan value)
+  [ (name, use, valueSpan value)
     | Object block <- tree,
       Just (use, words') <- [headKeyword (blockHead block) >>= (`lookup` users)],
       Statement (Property word value) <- blockNodes block,
-      valueText value `notElem` ["", "none"],
+      Right (Just name) <- [formRead fileName value],
       Just True <- [(`elem` words') <$> headKeyword word]
   ]
   where

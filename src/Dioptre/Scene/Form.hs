@@ -30,6 +30,7 @@ module Dioptre.Scene.Form
     choice,
     booleanForm,
     text,
+    fileName,
     outputName,
     outputNameEnding,
 
@@ -43,7 +44,7 @@ module Dioptre.Scene.Form
 where
 
 import Data.Char (isControl, isDigit)
-import Data.Maybe (listToMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..), named, names)
@@ -223,6 +224,13 @@ booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
 -- | The rest of the line, as it is.
 text :: Form Text
 text = textThat SomeText (const Nothing)
+
+-- | The name of a file that the program reads. The word @none@, so spelt, stands for no file: what is read, checked and written knows it here only.
+fileName :: Form (Maybe Text)
+fileName = Form SomeText (fmap meant . formRead text) (Just . fromMaybe none)
+  where
+    meant t = if t == none then Nothing else Just t
+    none = "none"
 
 -- | The name of a file that the program writes: no folder, no control character.
 outputName :: Form Text

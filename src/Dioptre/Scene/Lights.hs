@@ -17,7 +17,7 @@ import Dioptre.Light.Light
 import Dioptre.Light.Wave (mostOscillators, oscillatorGrid)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Point, Vector, cross, modulus)
-import Dioptre.Scene.Form (colourForm, count, positive, realFrom, text, vectorForm, withUnit)
+import Dioptre.Scene.Form (colourForm, count, fileName, positive, realFrom, vectorForm, withUnit)
 import Dioptre.Scene.Schema
 import Dioptre.Scene.Shapes (readShape, writeShape)
 import Dioptre.Source.Diagnostic (Expectation, Flaw (..))
@@ -79,7 +79,7 @@ data Draft = Draft
     draftWave :: Wave,
     draftEnds :: (Point, Point),
     draftAperture :: Aperture,
-    draftMask :: Text
+    draftMask :: Maybe Text
   }
 
 defaultDraft :: Draft
@@ -91,7 +91,7 @@ defaultDraft =
       draftWave = Wave 550 10 2,
       draftEnds = (0, V3 0 0.0001 0),
       draftAperture = Aperture 0.001 0.001 (V3 0 0 1) (V3 0 1 0),
-      draftMask = "none"
+      draftMask = Nothing
     }
 
 light :: Keyword -> [Property Draft] -> (Draft -> Either Flaw Light) -> Schema Draft Light
@@ -104,7 +104,7 @@ open l = case l of
   PointLight lamp -> defaultDraft {draftLamp = lamp}
   LinearAperture lamp wave ends -> defaultDraft {draftLamp = lamp, draftWave = wave, draftEnds = ends}
   PlanarAperture opening lamp wave aperture ->
-    defaultDraft {draftLamp = lamp, draftWave = wave, draftAperture = aperture, draftMask = case opening of Mask m -> m; _ -> "none"}
+    defaultDraft {draftLamp = lamp, draftWave = wave, draftAperture = aperture, draftMask = case opening of Mask m -> m; _ -> Nothing}
 
 ambientSchema, directionalSchema, pointSchema, linearSchema, maskSchema :: Schema Draft Light
 ambientSchema = light Keyword.AmbientLight [colour] (Right . Ambient . draftColour)
@@ -128,7 +128,7 @@ linearSchema =
       within draftEnds (\e d -> d {draftEnds = e}) . several (Keyword.Position :| [Keyword.Point]) vectorForm $
         Slot fst (\a (_, b) -> Right (a, b)) :| [Slot snd (\b (a, _) -> Right (a, b))]
 maskSchema =
-  light Keyword.ApertureMaskLight (apertureProperties <> [one Keyword.Mask text draftMask (\m d -> d {draftMask = m})]) $ \d ->
+  light Keyword.ApertureMaskLight (apertureProperties <> [one Keyword.Mask fileName draftMask (\m d -> d {draftMask = m})]) $ \d ->
     buildPlanar (Mask (draftMask d)) d
 
 planarSchema :: Keyword -> Opening -> Schema Draft Light

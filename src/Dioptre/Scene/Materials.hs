@@ -1,5 +1,3 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- |
 -- Module      : Dioptre.Scene.Materials
 -- Description : The materials of the scene language
@@ -13,7 +11,7 @@ where
 import Data.Maybe (fromMaybe)
 import Dioptre.Light.Material (Material (..), Textures (..), standard)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Scene.Form (colourForm, realWithin, text)
+import Dioptre.Scene.Form (colourForm, fileName, realWithin, text)
 import Dioptre.Scene.Schema (Property, Schema (..), one, within, writeObject)
 import Dioptre.Scene.Shapes (writeShape)
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -30,16 +28,16 @@ textureMaterialSchema =
     Keyword.TextureMaterial
     (standard, noTextures)
     ( map (within fst (\m (_, ts) -> (m, ts))) properties
-        <> [ one Keyword.TextureKa text (textureKa . snd) (\t (m, ts) -> (m, ts {textureKa = t})),
-             one Keyword.TextureKd text (textureKd . snd) (\t (m, ts) -> (m, ts {textureKd = t})),
-             one Keyword.TextureKs text (textureKs . snd) (\t (m, ts) -> (m, ts {textureKs = t}))
+        <> [ one Keyword.TextureKa fileName (textureKa . snd) (\t (m, ts) -> (m, ts {textureKa = t})),
+             one Keyword.TextureKd fileName (textureKd . snd) (\t (m, ts) -> (m, ts {textureKd = t})),
+             one Keyword.TextureKs fileName (textureKs . snd) (\t (m, ts) -> (m, ts {textureKs = t}))
            ]
     )
     Nothing
     (\(m, ts) -> Right m {materialTextures = Just ts})
     (\m -> (m, fromMaybe noTextures (materialTextures m)))
   where
-    noTextures = Textures "none" "none" "none"
+    noTextures = Textures Nothing Nothing Nothing
 
 -- | A material in the scene language.
 writeMaterial :: Material -> Outline

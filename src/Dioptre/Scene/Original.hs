@@ -44,6 +44,7 @@ import Dioptre.Light.Material (Material (..), Textures (..))
 import qualified Dioptre.Math.Transform as Transform
 import Dioptre.Math.Vector (Point, cross, distance, dot, modulus, unit, vector, (*^))
 import Dioptre.Scene.Camera (cameraSchema, cameraSettings, defaultCamera, settingPosition, viewportHeight, viewportSchema, viewportWidth)
+import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
 import Dioptre.Scene.Primitive (Model (..), Primitive (..), modelSchema, primitiveSchema)
@@ -249,7 +250,7 @@ ofObject tracer eye textured (word, block) = case word of
   Keyword.Primitive -> maybe [] ofPrimitive (made primitiveSchema block)
   Keyword.Material -> ofMaterial
   Keyword.TextureMaterial -> ofMaterial <> concatMap (ofFileName True) [Keyword.TextureKa, Keyword.TextureKd, Keyword.TextureKs]
-  Keyword.Model -> [note (opening block) LeavesModelInPlace | Just m <- [made modelSchema block], modelFile m /= "none", modelTransform m /= Transform.identity] <> ofFileName False Keyword.File
+  Keyword.Model -> [note (opening block) LeavesModelInPlace | Just m <- [made modelSchema block], isJust (modelFile m), modelTransform m /= Transform.identity] <> ofFileName False Keyword.File
   _ -> maybe [] ofLight (fst (runCheck (readLight block))) <> ofFileName True Keyword.Mask
   where
     ofPrimitive p = case [b | Object b <- blockNodes block, isJust (fst (runCheck (readShape b)))] of
@@ -280,8 +281,8 @@ ofObject tracer eye textured (word, block) = case word of
       [ note (valueSpan v) departure
         | Statement (Property w v) <- blockNodes block,
           headKeyword w == Just property,
-          valueText v /= "none",
-          departure <- [KeepsBlanks | Text.stripEnd (valueText v) /= valueText v] <> [ReadsDds | picture, ".dds" `Text.isSuffixOf` Text.toLower (Text.stripEnd (valueText v))]
+          Right (Just name) <- [formRead fileName v],
+          departure <- [KeepsBlanks | Text.stripEnd name /= name] <> [ReadsDds | picture, ".dds" `Text.isSuffixOf` Text.toLower (Text.stripEnd name)]
       ]
 
 -- | The material that an object of that word is.
@@ -296,7 +297,7 @@ texturedNames :: [Object] -> Set Text
 texturedNames objects = Map.keysSet (Map.filter (maybe False hasOne . materialTextures) named)
   where
     named = Map.fromListWith (\_ first -> first) [(materialName m, m) | (word, block) <- objects, Just m <- [materialOf word block]]
-    hasOne ts = any (/= "none") [textureKa ts, textureKd ts, textureKs ts]
+    hasOne ts = any isJust [textureKa ts, textureKd ts, textureKs ts]
 
 -- | What is otherwise with a shape of that word, seen from a point.
 ofShape :: Point -> Text -> Shape -> [Departure]

@@ -21,7 +21,7 @@ import Data.Text (Text)
 import Dioptre.Geometry.Shape (Shape)
 import Dioptre.Math.Transform (Transform, identity, transform, transformRotation, transformScale, transformTranslation)
 import Dioptre.Math.Vector (Vector)
-import Dioptre.Scene.Form (choice, scaleForm, text, vectorForm)
+import Dioptre.Scene.Form (choice, fileName, scaleForm, text, vectorForm)
 import Dioptre.Scene.Schema (Schema (..), Slot (..), one)
 import Dioptre.Source.Diagnostic (Flaw (..))
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -46,7 +46,8 @@ primitiveSchema =
 
 -- | A model: the file it is in, and where it goes.
 data Model = Model
-  { modelFile :: Text,
+  { -- | Without one there is nothing to draw.
+    modelFile :: Maybe Text,
     modelTransform :: Transform,
     modelUvFormat :: UvFormat
   }
@@ -57,12 +58,12 @@ data UvFormat = UvDefault | UvTopLeft | UvBottomLeft
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | How the scene language writes a model.
-modelSchema :: Schema (Text, (Vector, Vector, Vector), UvFormat) Model
+modelSchema :: Schema (Maybe Text, (Vector, Vector, Vector), UvFormat) Model
 modelSchema =
   Schema
     Keyword.Model
-    ("none", opened identity, UvDefault)
-    [ one Keyword.File text (\(f, _, _) -> f) (\f (_, t, u) -> (f, t, u)),
+    (Nothing, opened identity, UvDefault)
+    [ one Keyword.File fileName (\(f, _, _) -> f) (\f (_, t, u) -> (f, t, u)),
       one Keyword.Scale scaleForm (\(_, (s, _, _), _) -> s) (\s (f, (_, r, t), u) -> (f, (s, r, t), u)),
       one Keyword.Rotation vectorForm (\(_, (_, r, _), _) -> r) (\r (f, (s, _, t), u) -> (f, (s, r, t), u)),
       one Keyword.Translation vectorForm (\(_, (_, _, t), _) -> t) (\t (f, (s, r, _), u) -> (f, (s, r, t), u)),

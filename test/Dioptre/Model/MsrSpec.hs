@@ -7,6 +7,7 @@ where
 
 import Data.Foldable (toList)
 import Data.List (find)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Geometry.Shape (Shape (..))
@@ -78,5 +79,5 @@ spec = describe "an MSR file" $ do
 outline :: Part Mention -> Text
 outline part = case part of
   Solid (ASphere s) _ -> "ball " <> Text.pack (show (sphereRadius s))
-  Nested m -> modelFile (mentionModel m)
+  Nested m -> fromMaybe "none" (modelFile (mentionModel m))
   _ -> "something else"

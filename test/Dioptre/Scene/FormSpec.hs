@@ -79,6 +79,9 @@ spec = do
   describe "text" $ do
     it "is the rest of the line, with its blanks and all" $ map (reads' text) ["a b ", "# x", "[1]", "\233\t"] `shouldBe` map Right ["a b ", "# x", "[1]", "\233\t"]
     it "is not nothing" $ reads' text "" `shouldBe` Left NothingThere
+    it "that names a file to read is any, but for the word none" $ do
+      map (reads' fileName) ["a/b.png", "none", "None", "none ", ""] `shouldBe` [Right (Just "a/b.png"), Right Nothing, Right (Just "None"), Right (Just "none "), Left NothingThere]
+      for_ [Nothing, Just "a b"] $ \name -> reads' fileName (shown fileName name) `shouldBe` Right name
     it "that names a file to write leads nowhere else" $ do
       map (reads' outputName) ["a b.txt", "a:b", ".x"] `shouldBe` map Right ["a b.txt", "a:b", ".x"]
       for_ ["a/b", "/", "a\\b", "a\nb", "\ESC", "a\DEL", "a\128"] $ \t -> (t, reads' outputName t) `shouldBe` (t, Left UnsafeName)

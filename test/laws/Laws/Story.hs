@@ -75,7 +75,7 @@ instance Arbitrary Pictured where
     Small scene0 r <- arbitrary
     noLight <- frequency [(5, pure False), (1, pure True)]
     papered <- arbitrary
-    names <- vectorOf (length (sceneMaterials scene0)) (Textures <$> elements ["p", "none"] <*> elements ["p", "q"] <*> elements ["q", "none"])
+    names <- vectorOf (length (sceneMaterials scene0)) (Textures <$> elements [Just "p", Nothing] <*> elements [Just "p", Just "q"] <*> elements [Just "q", Nothing])
     n <- elements [1, 1, 2, 3]
     coordinate <- elements [minBound .. maxBound]
     normalization <- elements [minBound .. maxBound]
