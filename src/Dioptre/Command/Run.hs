@@ -40,7 +40,7 @@ import Dioptre.Picture (Difference (Equal), Picture, difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
 import Dioptre.Render.Row (planExtent)
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (Scene, scenePrimitives, sceneViewport, writeScene)
 import Dioptre.Scene.Camera (viewportImage)
 import Dioptre.Scene.Configuration
 import Dioptre.Scene.Default (defaultScene)

@@ -5,10 +5,14 @@ module Dioptre.Scene.Materials
   ( materialSchema,
     textureMaterialSchema,
     writeMaterial,
+    byName,
   )
 where
 
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import Data.Text (Text)
 import Dioptre.Light.Material (Material (..), Textures (..), standard)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Scene.Form (colourForm, fileName, realWithin, text)
@@ -44,6 +48,10 @@ writeMaterial :: Material -> Outline
 writeMaterial m = case materialTextures m of
   Nothing -> writeObject writeShape materialSchema m
   Just _ -> writeObject writeShape textureMaterialSchema m
+
+-- | What a name means among some materials: of several of one name the first counts.
+byName :: [(Material, a)] -> Map Text a
+byName materials = Map.fromListWith (\_ first -> first) [(materialName m, a) | (m, a) <- materials]
 
 properties :: [Property Material]
 properties =

@@ -46,7 +46,7 @@ import Dioptre.Math.Vector (Point, cross, distance, dot, modulus, unit, vector, 
 import Dioptre.Scene.Camera (cameraSchema, cameraSettings, defaultCamera, settingPosition, viewportHeight, viewportSchema, viewportWidth)
 import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
-import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
+import Dioptre.Scene.Materials (byName, materialSchema, textureMaterialSchema)
 import Dioptre.Scene.Primitive (Model (..), Primitive (..), modelSchema, primitiveSchema)
 import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, raytracerSchema)
 import Dioptre.Scene.Schema (Schema, placeOfValue, readObject, runCheck)
@@ -292,11 +292,11 @@ materialOf word = case word of
   Keyword.TextureMaterial -> made textureMaterialSchema
   _ -> const Nothing
 
--- | The names of materials that have a texture. Of several of one name the first counts.
+-- | The names of materials that have a texture.
 texturedNames :: [Object] -> Set Text
 texturedNames objects = Map.keysSet (Map.filter (maybe False hasOne . materialTextures) named)
   where
-    named = Map.fromListWith (\_ first -> first) [(materialName m, m) | (word, block) <- objects, Just m <- [materialOf word block]]
+    named = byName [(m, m) | (word, block) <- objects, Just m <- [materialOf word block]]
     hasOne ts = any isJust [textureKa ts, textureKd ts, textureKs ts]
 
 -- | What is otherwise with a shape of that word, seen from a point.

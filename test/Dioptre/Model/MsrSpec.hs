@@ -17,7 +17,7 @@ import Dioptre.Light.Finish
 import Dioptre.Light.Material (Material (..))
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Msr
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (sceneMaterials, sceneModels, scenePrimitives, writeScene)
 import Dioptre.Scene.Check (Mention (..), modelWords)
 import Dioptre.Scene.Primitive (Model (..), Primitive (..))
 import Dioptre.Source.Diagnostic

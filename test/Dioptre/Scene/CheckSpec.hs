@@ -15,11 +15,11 @@ import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleNormals, smoothTriangleUvs, triangleNormal, trianglePoints)
 import Dioptre.Light.Material (Material (..))
 import Dioptre.Math.Vector (vector)
-import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera
 import Dioptre.Scene.Check (sceneWords)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (defaultRaytracer)
+import Dioptre.Scene.Unchecked (Scene (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (allSpellings, fromSpelling, role, spelling)

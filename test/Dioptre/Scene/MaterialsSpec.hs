@@ -9,7 +9,7 @@ import Data.Foldable (for_)
 import Data.Text (Text)
 import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Light.Material (Material (..), Textures (..))
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (sceneMaterials)
 import Laws.Reading
 import Test.Hspec
 

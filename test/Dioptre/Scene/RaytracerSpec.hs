@@ -8,7 +8,7 @@ where
 import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (sceneModels, sceneRaytracer)
 import Dioptre.Scene.Primitive (Model (..), UvFormat (..))
 import Dioptre.Scene.Raytracer
 import Laws.Reading

@@ -59,11 +59,12 @@ import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWi
 import Dioptre.Picture.Png (decode, decodeTexture)
 import Dioptre.Render.Row (Sampled (..), colourAt, plan, planExtent)
 import Dioptre.Render.Texture (Texture (..), Upward (..))
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (writeScene)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Scene.Check (checkScene)
 import Dioptre.Scene.Configuration
 import Dioptre.Scene.Raytracer (Raytracer (..))
+import Dioptre.Scene.Unchecked (Scene (..))
 import Dioptre.Source.Diagnostic (Diagnostic (..), code)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Source.Report (pretty, summary, toJson)

@@ -50,10 +50,11 @@ import Dioptre.Light.Material
 import Dioptre.Math.Transform
 import Dioptre.Math.Vector (Vector, modulus, vector)
 import qualified Dioptre.Math.Vector as Vector
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (sceneSolids, writeScene)
 import Dioptre.Scene.Camera
 import Dioptre.Scene.Primitive
 import Dioptre.Scene.Raytracer
+import Dioptre.Scene.Unchecked (Scene (..))
 import Laws.Number (admitted)
 import Laws.Reading (Reading (..), errorsOf, readBytes, readText)
 import Linear.V2 (V2 (..))
@@ -103,6 +104,7 @@ isSound s =
       check "raytracer" $
         let r = sceneRaytracer s in all (>= 1) [raytracerTask r, raytracerSampling r, raytracerRecursiveLevel r] && raytracerSeed r >= 0,
       check "materials of primitives" (all ((`elem` map materialName (sceneMaterials s)) . primitiveMaterial) (scenePrimitives s)),
+      check "solids" (sceneSolids materialName s == [(primitiveShape p, primitiveMaterial p) | p <- scenePrimitives s]),
       conjoin [check (show m) (material m) | m <- sceneMaterials s],
       conjoin [check (show l) (light l) | l <- sceneLights s],
       conjoin [check (show p) (shape (primitiveShape p)) | p <- scenePrimitives s],
