@@ -37,10 +37,10 @@ import Dioptre.Light.Material (Material)
 import Dioptre.Scene.Camera (Camera, Viewport, cameraSchema, viewportSchema)
 import Dioptre.Scene.Lights (writeLight)
 import Dioptre.Scene.Materials (byName, writeMaterial)
-import Dioptre.Scene.Primitive (Model, Primitive (..), modelSchema, primitiveSchema)
+import Dioptre.Scene.Model (Model, modelSchema)
+import Dioptre.Scene.Primitive (Primitive (..), primitiveSchema)
 import Dioptre.Scene.Raytracer (Raytracer (..), raytracerSchema)
 import Dioptre.Scene.Schema (Schema, writeObject)
-import Dioptre.Scene.Shapes (writeShape)
 import Dioptre.Scene.Unchecked (Scene)
 import qualified Dioptre.Scene.Unchecked as Unchecked
 import Dioptre.Syntax.Print (Outline (..), printOutline)
@@ -110,4 +110,4 @@ writeScene scene =
       <> map writeLight (sceneLights scene)
   where
     write :: Schema a b -> b -> Outline
-    write = writeObject writeShape
+    write = writeObject

@@ -42,6 +42,7 @@ import Dioptre.Render (Tally (..))
 import Dioptre.Render.Row (planExtent)
 import Dioptre.Scene (Scene, scenePrimitives, sceneViewport, writeScene)
 import Dioptre.Scene.Camera (viewportImage)
+import Dioptre.Scene.Comparisons (checkComparisons, writeComparisons)
 import Dioptre.Scene.Configuration
 import Dioptre.Scene.Default (defaultScene)
 import Dioptre.Source.Diagnostic (Diagnostic)

@@ -63,7 +63,7 @@ import qualified Dioptre.Model.Obj as Obj
 import Dioptre.Picture (Picture)
 import Dioptre.Render.Texture (Texture (..), Upward (..))
 import Dioptre.Scene.Check (Mention (..))
-import Dioptre.Scene.Primitive (Model (..), UvFormat (..), uvFormatName)
+import Dioptre.Scene.Model (Model (..), UvFormat (..), uvFormatName)
 import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble (..), FileUse (..), Problem (..))
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Span (Span)

@@ -44,12 +44,13 @@ import Dioptre.Scene.Camera (Camera, Viewport, cameraSchema, defaultCamera, defa
 import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
-import Dioptre.Scene.Primitive (Model, Primitive (..), modelSchema, primitiveSchema)
+import Dioptre.Scene.Model (Model, modelSchema)
+import Dioptre.Scene.Primitive (Primitive (..), primitiveSchema)
 import Dioptre.Scene.Raytracer (PixelCoordinate (Random), Raytracer (..), defaultRaytracer, raytracerSchema)
-import Dioptre.Scene.Schema (Check, Schema, misfit, passOver, placeOfValue, readObject, report, runCheck)
-import Dioptre.Scene.Shapes (readShape)
+import Dioptre.Scene.Reporting (Check, item, passOver, report, runCheck)
+import Dioptre.Scene.Schema (Schema, placeOfValue, readObject)
 import Dioptre.Scene.Unchecked (Scene (..))
-import Dioptre.Source.Diagnostic (Diagnostic, FileUse (..), PassedOver (TheLine), Problem (..))
+import Dioptre.Source.Diagnostic (Diagnostic, FileUse (..), Problem (..))
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (Keyword, Role (OpensInScene), role)
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -128,14 +129,6 @@ nothingYet = Draft Nothing Nothing Nothing emptyStock Seq.empty
 emptyStock :: Stock
 emptyStock = Stock Seq.empty Seq.empty Seq.empty
 
--- | One thing at the level of the file, where these words may stand.
-item :: [Keyword] -> (a -> Block -> Check a) -> a -> Node -> Check a
-item words' into draft = \case
-  Object block -> into draft block
-  Statement p -> draft <$ report (headSpan (propertyHead p)) (misfit Nothing words' (propertyHead p) TheLine)
-  LooseEnd word -> draft <$ report (headSpan word) (StrayEnd (headText word))
-  OpenComment place -> draft <$ report place UnclosedComment
-
 -- | What a scene has in common with a model, with one more object; 'Nothing' for an object of another kind.
 stocked :: Block -> Stock -> Maybe (Check Stock)
 stocked block stock = case headKeyword (blockHead block) of
@@ -146,7 +139,7 @@ stocked block stock = case headKeyword (blockHead block) of
   _ -> Nothing
   where
     among :: Schema a b -> (b -> Stock) -> Check Stock
-    among schema add = maybe stock add <$> readObject readShape schema block
+    among schema add = maybe stock add <$> readObject schema block
     -- A name that was begun and is missing has been told.
     namesAFile = case listToMaybe [v | Statement (Property word v) <- reverse (blockNodes block), headKeyword word == Just Keyword.File] of
       Nothing -> report (headSpan (blockHead block)) NoModelFile
@@ -165,7 +158,7 @@ object draft block = case headKeyword (blockHead block) of
     -- Of several, the last one that is possible counts.
     alone :: Schema a b -> (Draft -> Maybe (Block, b)) -> ((Block, b) -> Draft) -> Check Draft
     alone schema earlier put =
-      readObject readShape schema block >>= \case
+      readObject schema block >>= \case
         Nothing -> pure draft
         Just made -> do
           for_ (earlier draft) $ \(before, _) ->

@@ -18,8 +18,8 @@ import Dioptre.Light.Wave (mostOscillators, oscillatorGrid)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Point, Vector, cross, modulus)
 import Dioptre.Scene.Form (colourForm, count, fileName, positive, realFrom, vectorForm, withUnit)
+import Dioptre.Scene.Reporting (Check)
 import Dioptre.Scene.Schema
-import Dioptre.Scene.Shapes (readShape, writeShape)
 import Dioptre.Source.Diagnostic (Expectation, Flaw (..))
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -40,7 +40,7 @@ readLight block = case headKeyword (blockHead block) of
   _ -> pure Nothing
   where
     through :: Schema a Light -> Check (Maybe Light)
-    through schema = readObject readShape schema block
+    through schema = readObject schema block
 
 -- | A light in the scene language.
 writeLight :: Light -> Outline
@@ -54,7 +54,7 @@ writeLight source = case source of
   PlanarAperture (Mask _) _ _ _ -> write maskSchema
   where
     write :: Schema a Light -> Outline
-    write schema = writeObject writeShape schema source
+    write schema = writeObject schema source
 
 -- | Every light's word with its properties: their words, what they expect, their defaults.
 describeLights :: [(Keyword, [([Keyword], Expectation, [Text])])]

@@ -17,7 +17,6 @@ import Dioptre.Light.Material (Material (..), Textures (..), standard)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Scene.Form (colourForm, fileName, realWithin, text)
 import Dioptre.Scene.Schema (Property, Schema (..), one, within, writeObject)
-import Dioptre.Scene.Shapes (writeShape)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline)
 
@@ -26,28 +25,23 @@ materialSchema :: Schema Material Material
 materialSchema = Schema Keyword.Material standard properties Nothing Right id
 
 -- | How it writes one with pictures.
-textureMaterialSchema :: Schema (Material, Textures) Material
-textureMaterialSchema =
-  Schema
-    Keyword.TextureMaterial
-    (standard, noTextures)
-    ( map (within fst (\m (_, ts) -> (m, ts))) properties
-        <> [ one Keyword.TextureKa fileName (textureKa . snd) (\t (m, ts) -> (m, ts {textureKa = t})),
-             one Keyword.TextureKd fileName (textureKd . snd) (\t (m, ts) -> (m, ts {textureKd = t})),
-             one Keyword.TextureKs fileName (textureKs . snd) (\t (m, ts) -> (m, ts {textureKs = t}))
-           ]
-    )
-    Nothing
-    (\(m, ts) -> Right m {materialTextures = Just ts})
-    (\m -> (m, fromMaybe noTextures (materialTextures m)))
+textureMaterialSchema :: Schema Material Material
+textureMaterialSchema = Schema Keyword.TextureMaterial standard {materialTextures = Just noTextures} (properties <> textures) Nothing Right id
   where
+    textures =
+      map
+        (within (fromMaybe noTextures . materialTextures) (\ts m -> m {materialTextures = Just ts}))
+        [ one Keyword.TextureKa fileName textureKa (\v ts -> ts {textureKa = v}),
+          one Keyword.TextureKd fileName textureKd (\v ts -> ts {textureKd = v}),
+          one Keyword.TextureKs fileName textureKs (\v ts -> ts {textureKs = v})
+        ]
     noTextures = Textures Nothing Nothing Nothing
 
 -- | A material in the scene language.
 writeMaterial :: Material -> Outline
 writeMaterial m = case materialTextures m of
-  Nothing -> writeObject writeShape materialSchema m
-  Just _ -> writeObject writeShape textureMaterialSchema m
+  Nothing -> writeObject materialSchema m
+  Just _ -> writeObject textureMaterialSchema m
 
 -- | What a name means among some materials: of several of one name the first counts.
 byName :: [(Material, a)] -> Map Text a

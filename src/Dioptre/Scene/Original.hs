@@ -47,9 +47,11 @@ import Dioptre.Scene.Camera (cameraSchema, cameraSettings, defaultCamera, settin
 import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (byName, materialSchema, textureMaterialSchema)
-import Dioptre.Scene.Primitive (Model (..), Primitive (..), modelSchema, primitiveSchema)
+import Dioptre.Scene.Model (Model (..), modelSchema)
+import Dioptre.Scene.Primitive (Primitive (..), primitiveSchema)
 import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, raytracerSchema)
-import Dioptre.Scene.Schema (Schema, placeOfValue, readObject, runCheck)
+import Dioptre.Scene.Reporting (runCheck)
+import Dioptre.Scene.Schema (Schema, placeOfValue, readObject)
 import Dioptre.Scene.Shapes (readShape)
 import Dioptre.Source.Departure (Departure (..))
 import Dioptre.Source.Diagnostic
@@ -78,7 +80,7 @@ note place = Diagnostic place . Departs
 
 -- | The object that a block describes by itself, if it is possible.
 made :: Schema a b -> Block -> Maybe b
-made schema = fst . runCheck . readObject readShape schema
+made schema = fst . runCheck . readObject schema
 
 -- | Of objects of which a scene has one, the one that counts: the last that is possible.
 counting :: Keyword -> Schema a b -> [Object] -> Maybe (Block, b)

@@ -14,7 +14,8 @@ where
 import Dioptre.Light.Light (Light)
 import Dioptre.Light.Material (Material)
 import Dioptre.Scene.Camera (Camera, Viewport)
-import Dioptre.Scene.Primitive (Model, Primitive)
+import Dioptre.Scene.Model (Model)
+import Dioptre.Scene.Primitive (Primitive)
 import Dioptre.Scene.Raytracer (Raytracer)
 
 -- | A scene. Lists are in the order of the file: where two primitives are hit at the same distance the first one is seen.

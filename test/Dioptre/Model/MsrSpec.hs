@@ -19,7 +19,8 @@ import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Msr
 import Dioptre.Scene (sceneMaterials, sceneModels, scenePrimitives, writeScene)
 import Dioptre.Scene.Check (Mention (..), modelWords)
-import Dioptre.Scene.Primitive (Model (..), Primitive (..))
+import Dioptre.Scene.Model (Model (..))
+import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (fromText)

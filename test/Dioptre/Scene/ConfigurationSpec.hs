@@ -84,21 +84,8 @@ spec = do
       checkConfiguration (parse (fromText "c" startingConfiguration)) `shouldBe` (Configuration RunInfo "default_scene.txt" "out.txt" "log.txt" True True 0 Nothing, [])
     it "says it line by line" $
       map (take 1 . Text.words) (Text.lines startingConfiguration) `shouldBe` map pure ["application", "read_data", "write_data", "log_file_name", "log_console", "log_file", "viewport_image_count"]
-
-  describe "a list to compare" $ do
-    it "is pairs of files" $
-      compared ["texture_comparator", "file a.txt", "fichier b c.png", "end", "Texture_Comparateur", "file d", "file e", "fin"] `shouldBe` ([("a.txt", "b c.png"), ("d", "e")], [])
-    it "tells a third file, and what has no place" $ do
-      let (pairs, ds) = compared ["texture_comparator", "file a", "file b", "file c", "ray 1", "end", "camera", "end", "file x", "end", "texture_comparator", "file d", "file e"]
-      pairs `shouldBe` [("a", "b"), ("d", "e")]
-      map (\(Diagnostic s p) -> (code p, spanLine s, spanColumn s)) ds
-        `shouldBe` [("repeated-property", 4, 1), ("misplaced-word", 5, 1), ("misplaced-word", 7, 1), ("misplaced-word", 9, 1), ("stray-end", 10, 1), ("missing-end", 11, 1)]
-    it "reads back as it was written" $
-      for_ [[], [("a", "b")], [("a b", "c.txt"), ("# x", "end"), ("none", "none")]] $ \pairs ->
-        checkComparisons (parse (fromText "c" (writeComparisons pairs))) `shouldBe` (pairs, [])
   where
     readConfiguration = checkConfiguration . parse . fromText "c" . Text.unlines
-    compared = checkComparisons . parse . fromText "c" . Text.unlines
     applications = AChoice ["none", "info", "console", "frame", "comparator"]
     clashing text = [(w, line, from, to) | Diagnostic (Span line from to) (RefusedValue w NameTaken _ _) <- snd (readConfiguration text)]
     names = ["a.txt", "A.TXT", "log.txt", "dioptre_log.txt", "write_data_file_name.txt", "dioptre_write_data_file_name.txt"] :: [Text]

@@ -9,7 +9,7 @@ import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Scene (sceneModels, sceneRaytracer)
-import Dioptre.Scene.Primitive (Model (..), UvFormat (..))
+import Dioptre.Scene.Model (Model (..), UvFormat (..))
 import Dioptre.Scene.Raytracer
 import Laws.Reading
 import Test.Hspec

@@ -62,6 +62,7 @@ import Dioptre.Render.Texture (Texture (..), Upward (..))
 import Dioptre.Scene (writeScene)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Scene.Check (checkScene)
+import Dioptre.Scene.Comparisons (checkComparisons, writeComparisons)
 import Dioptre.Scene.Configuration
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Dioptre.Scene.Unchecked (Scene (..))

@@ -52,6 +52,7 @@ import Dioptre.Math.Vector (Vector, modulus, vector)
 import qualified Dioptre.Math.Vector as Vector
 import Dioptre.Scene (sceneSolids, writeScene)
 import Dioptre.Scene.Camera
+import Dioptre.Scene.Model
 import Dioptre.Scene.Primitive
 import Dioptre.Scene.Raytracer
 import Dioptre.Scene.Unchecked (Scene (..))
