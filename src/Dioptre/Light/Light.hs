@@ -4,7 +4,7 @@
 -- Module      : Dioptre.Light.Light
 -- Description : Sources of light
 --
--- The closed sum of the lights that a scene can hold. This version reads, checks and writes them; nothing is lit yet.
+-- The closed sum of the lights that a scene can hold. "Dioptre.Render.Stage" makes of them what shading needs.
 module Dioptre.Light.Light
   ( Light (..),
     Lamp (..),
@@ -13,6 +13,8 @@ module Dioptre.Light.Light
     Opening (..),
     attenuates,
     isVisible,
+    shortestVisible,
+    longestVisible,
   )
 where
 
@@ -76,6 +78,11 @@ data Aperture = Aperture
 attenuates :: Lamp -> Bool
 attenuates l = lampAttenuators l /= (0, 0, 0)
 
--- | Whether a wavelength has a colour: 380 to 780 nm.
+-- | Whether a wavelength has a colour.
 isVisible :: Wave -> Bool
-isVisible w = waveLength w >= 380 && waveLength w <= 780
+isVisible w = waveLength w >= shortestVisible && waveLength w <= longestVisible
+
+-- | The ends of the visible light, in nanometres.
+shortestVisible, longestVisible :: Double
+shortestVisible = 380
+longestVisible = 780

@@ -52,6 +52,7 @@ import Dioptre.Render.Surface (Surface (..), finishAt, surfaceAt)
 import Dioptre.Render.Surroundings (surroundings)
 import Dioptre.Render.Texture (Texture, texel)
 import Dioptre.Render.World (World, worldHasMedia)
+import Dioptre.Scene.Raytracer (mostRays)
 import Linear.V2 (V2)
 import Linear.V3 (V3 (..))
 
@@ -66,10 +67,6 @@ data Seen = Seen
     seenCut :: !Bool
   }
   deriving stock (Eq, Show)
-
--- | For one primary ray no more rays than this are followed, shadow rays not counted.
-mostRays :: Int
-mostRays = 65536
 
 -- | Without light: the diffuse colour of the first surface, as opaque as its material, or black.
 unlit :: Stage -> Double -> Ray -> Seen

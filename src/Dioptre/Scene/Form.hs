@@ -51,10 +51,11 @@ import Dioptre.Light.Colour (Colour (..), named, names)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Vector, modulus)
 import Dioptre.Source.Diagnostic (Expectation (..), Guess (..), Range (..), Refusal (..))
+import Dioptre.Source.Phrase (number, showReal, vectorText)
 import Dioptre.Source.Span (Span)
 import Dioptre.Syntax.Spelling (suggest)
 import Dioptre.Syntax.Tree (Value (..))
-import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, showReal, tokens)
+import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, tokens)
 import Linear.V2 (V2 (..))
 import Linear.V3 (V3 (..))
 
@@ -102,19 +103,16 @@ realThat range fits = scalar (ARealNumber range) (\t -> real t >>= inside t) sho
 
 -- | An integer from a smallest one up.
 count :: Int -> Form Int
-count low = integerThat (AtLeast (showInt low)) low (fromInteger largestInteger)
+count low = integerThat (AtLeast (number low)) low (fromInteger largestInteger)
 
 -- | An integer between two others, ends included.
 integerWithin :: Int -> Int -> Form Int
-integerWithin low high = integerThat (Between (showInt low) (showInt high)) low high
+integerWithin low high = integerThat (Between (number low) (number high)) low high
 
 integerThat :: Range -> Int -> Int -> Form Int
-integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= inside t) showInt
+integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= inside t) number
   where
     inside t n = if low <= n && n <= high then Right n else Left (OutOfRange t)
-
-showInt :: Int -> Text
-showInt = Text.pack . show
 
 -- | Whether a value of one real number goes on after it with a comma and a digit.
 decimalsBehindComma :: Expectation -> Value -> Maybe Text
@@ -127,17 +125,17 @@ decimalsBehindComma expectation value = case (expectation, tokens value) of
 
 -- | Three real numbers.
 vectorForm :: Form Vector
-vectorForm = Form AVector vector3 (Just . showVector)
+vectorForm = Form AVector vector3 (Just . vectorText)
 
 -- | Three real numbers that make a vector of at least 'smallestLength'.
 directionForm :: Form Vector
-directionForm = Form ADirection reads' (Just . showVector)
+directionForm = Form ADirection reads' (Just . vectorText)
   where
     reads' value = vector3 value >>= \v -> if modulus v < smallestLength then Left (valueSpan value, ZeroVector) else Right v
 
 -- | Three real numbers, none of them zero.
 scaleForm :: Form Vector
-scaleForm = Form AVectorWithoutZero reads' (Just . showVector)
+scaleForm = Form AVectorWithoutZero reads' (Just . vectorText)
   where
     reads' value = vector3 value >>= \v -> if 0 `elem` v then Left (valueSpan value, ZeroComponent) else Right v
 
@@ -146,12 +144,9 @@ vector3 value = case tokens value of
   [x, y, z] -> V3 <$> at x real <*> at y real <*> at z real
   others -> Left (wrongCount value 3 others)
 
-showVector :: Vector -> Text
-showVector (V3 x y z) = list "[" "]" [x, y, z]
-
 -- | Two real numbers.
 textureForm :: Form (V2 Double)
-textureForm = Form TwoCoordinates reads' (\(V2 u v) -> Just (list "[" "]" [u, v]))
+textureForm = Form TwoCoordinates reads' (Just . vectorText)
   where
     reads' value = case tokens value of
       [u, v] -> V2 <$> at u real <*> at v real
@@ -159,7 +154,7 @@ textureForm = Form TwoCoordinates reads' (\(V2 u v) -> Just (list "[" "]" [u, v]
 
 -- | A name, a name and an alpha, three channels, or three channels and an alpha.
 colourForm :: Form Colour
-colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just (list "[ " " ]" [r, g, b, a]))
+colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just ("[ " <> Text.intercalate ", " (map showReal [r, g, b, a]) <> " ]"))
   where
     reads' value = case tokens value of
       [name] -> at name byName
@@ -169,9 +164,6 @@ colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just (l
       others -> Left (wrongCount value 4 others)
     byName t = maybe (Left (NoSuchChoice t (suggest (map fst names) t))) Right (named t)
     channel t = real t >>= \x -> if x >= 0 then Right x else Left (OutOfRange t)
-
-list :: Text -> Text -> [Double] -> Text
-list open close xs = open <> Text.intercalate ", " (map showReal xs) <> close
 
 -- | Too few tokens are a fault of the whole value; too many, of those that are too many.
 wrongCount :: Value -> Int -> [Token] -> (Span, Refusal)

@@ -3,6 +3,19 @@
 -- |
 -- Module      : Dioptre.Scene.Lights
 -- Description : The lights of the scene language
+--
+-- One schema for each light: its words, their forms, and when there is such a light. Lights have much in common (all that shine from a place have a colour, an
+-- amplification and attenuators; all that are waves have a wavelength besides), so that they share one kind of draft, of which each reads and writes its part.
+--
+-- > ambient_light                color
+-- > directional_light            color  orientation
+-- > point_light                  color  position  amplification, attenuators
+-- > linear_aperture_light        color  two positions  ..., wave
+-- > rectangular_aperture_light   color  position  ..., wave, aperture
+-- > elliptical_aperture_light    the same
+-- > aperture_mask_light          the same, and a mask
+--
+-- Specification: chapter 3.
 module Dioptre.Scene.Lights
   ( readLight,
     writeLight,
@@ -114,7 +127,7 @@ directionalSchema =
     [colour, one Keyword.Orientation vectorForm draftOrientation (\v d -> d {draftOrientation = v})]
     ( \d ->
         if modulus (draftOrientation d) < smallestLength
-          then Left ZeroOrientation
+          then Left (ZeroOrientation smallestLength)
           else Right (Directional (draftColour d) (draftOrientation d))
     )
 pointSchema = light Keyword.PointLight (lampColourProperty : lampPositionProperty : lampProperties) (fmap PointLight . buildLamp)
@@ -142,7 +155,7 @@ buildLamp d
 buildWave :: Draft -> Either Flaw Wave
 buildWave d
   | isVisible (draftWave d) = Right (draftWave d)
-  | otherwise = Left InvisibleWavelength
+  | otherwise = Left (InvisibleWavelength shortestVisible longestVisible)
 
 buildPlanar :: Opening -> Draft -> Either Flaw Light
 buildPlanar opening d = do

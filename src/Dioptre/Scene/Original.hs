@@ -49,7 +49,7 @@ import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (byName, materialSchema, textureMaterialSchema)
 import Dioptre.Scene.Model (Model (..), modelSchema)
 import Dioptre.Scene.Primitive (Primitive (..), primitiveSchema)
-import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, raytracerSchema)
+import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, mostRays, raytracerSchema)
 import Dioptre.Scene.Reporting (runCheck)
 import Dioptre.Scene.Schema (Schema, placeOfValue, readObject)
 import Dioptre.Scene.Shapes (readShape)
@@ -57,10 +57,11 @@ import Dioptre.Source.Departure (Departure (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, sourceText)
+import Dioptre.Source.Words (isBlank)
 import Dioptre.Syntax.Keyword (Keyword, fromSpelling, spelling)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tree, Value (..))
-import Dioptre.Syntax.Value (integer, real)
+import Dioptre.Syntax.Value (integer, largestReal, real)
 import Linear.V3 (V3 (..))
 
 -- | What the original takes otherwise, in the order of the file: in a text, whose tree that is, and of which this has been said.
@@ -109,7 +110,6 @@ ofComments = outside . zip [1 ..] . Text.split (== '\n') . sourceText
         | otherwise -> outside (drop 1 (dropWhile ((/= "*/") . firstWord . snd) rest))
     firstWord = Text.takeWhile (not . isBlank) . Text.dropWhile isBlank
     place n line = let column = Text.length (Text.takeWhile isBlank line) + 1 in Span n column (column + 2)
-    isBlank c = c == ' ' || c == '\t' || c == '\f'
 
 -- | Where something is wrong, the original may go on in another way.
 ofFault :: Diagnostic -> Maybe Diagnostic
@@ -138,8 +138,8 @@ ofRefusal word refusal expectation = case refusal of
   OutOfRange t
     | AColour _ <- expectation -> Just AbandonsObject
     | fromSpelling word == Just Keyword.RefractiveIndex, Right n <- real t, n >= 0, n < 1 -> Just AdmitsZeroIndex
-  NotANumber t | admitted expectation t -> Just (ReadsNumber t)
-  TooLarge t | admitted expectation t -> Just (ReadsNumber t)
+  NotANumber t | admitted expectation t -> Just (ReadsNumber t largestReal)
+  TooLarge t | admitted expectation t -> Just (ReadsNumber t largestReal)
   _ -> Nothing
 
 -- | Whether a token is a number for Java, and one that the property would admit.
@@ -198,7 +198,7 @@ ofViewing objects =
       ofRepeated Keyword.Raytracer raytracerSchema objects,
       maybe [] (uncurry ofViewport) (counting Keyword.Viewport viewportSchema objects),
       maybe [] (uncurry ofTracer) tracer,
-      [note (placeOf Keyword.RecursiveLevel block) LacksRayLimit | Just (block, r) <- [tracer], mayExceed (raytracerRecursiveLevel r)]
+      [note (placeOf Keyword.RecursiveLevel block) (LacksRayLimit mostRays) | Just (block, r) <- [tracer], mayExceed (raytracerRecursiveLevel r)]
     ]
   where
     tracer = counting Keyword.Raytracer raytracerSchema objects
@@ -212,10 +212,10 @@ ofViewing objects =
     -- One ray for each level where surfaces mirror or let through; two for each ray where one does both.
     mayExceed level
       | any (\m -> materialKr m /= 0 && materialKt m /= 0) materials = level > doublings
-      | any (\m -> materialKr m /= 0 || materialKt m /= 0) materials = level > 2 ^ doublings
+      | any (\m -> materialKr m /= 0 || materialKt m /= 0) materials = level > mostRays
       | otherwise = False
-    -- 2^16 rays are followed for a pixel; 16 levels hold 2^16 - 1.
-    doublings = 16 :: Int
+    -- So many levels, of one ray and twice as many on each further one, hold fewer rays than are followed.
+    doublings = length (takeWhile (<= mostRays) (iterate (* 2) 2))
     materials = [m | (word, block) <- objects, Just m <- [materialOf word block]]
 
 -- | How many pixels the console program of the original draws, of a picture that may be narrower: it takes the picture for a square, and draws 101 packets of a
@@ -277,7 +277,7 @@ ofObject tracer eye textured (word, block) = case word of
       PointLight lamp -> ofLamp lamp
       Ambient _ -> []
       Directional _ _ -> []
-    ofLamp lamp = [note (placeOf Keyword.ConstantAttenuator block) EndsAtAttenuation | (c, _, _) <- [lampAttenuators lamp], c < tolerance]
+    ofLamp lamp = [note (placeOf Keyword.ConstantAttenuator block) (EndsAtAttenuation tolerance) | (c, _, _) <- [lampAttenuators lamp], c < tolerance]
     -- Textures and masks are pictures, models are not.
     ofFileName picture property =
       [ note (valueSpan v) departure

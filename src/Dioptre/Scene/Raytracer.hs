@@ -5,6 +5,11 @@
 -- |
 -- Module      : Dioptre.Scene.Raytracer
 -- Description : How rays are cast and shaded
+--
+-- What is to be drawn of a scene rather than what is in it: through which points of a pixel rays go, how far they branch, which terms of light are added up, and what
+-- becomes of colours that are too bright. Two properties, @task@ and @space@, told the original how to work; they are read and written, and change no picture.
+--
+-- Specification: chapter 3.
 module Dioptre.Scene.Raytracer
   ( Raytracer (..),
     ReflexionAlgorithm (..),
@@ -14,6 +19,7 @@ module Dioptre.Scene.Raytracer
     raytracerSchema,
     defaultRaytracer,
     algorithmName,
+    mostRays,
   )
 where
 
@@ -77,6 +83,10 @@ data ColourNormalization
 -- | The ray tracer of a scene that has none.
 defaultRaytracer :: Raytracer
 defaultRaytracer = Raytracer 1 1 1 Blinn TopLeft LinearSpace ClampChannel 0
+
+-- | For one primary ray no more rays than this are followed, shadow rays not counted.
+mostRays :: Int
+mostRays = 65536
 
 -- | How the scene language writes a ray tracer.
 raytracerSchema :: Schema Raytracer Raytracer

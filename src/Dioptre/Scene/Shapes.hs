@@ -42,6 +42,7 @@ import Dioptre.Geometry.Round
 import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Geometry.Sphere (sphere, sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangle, smoothTriangleFlat, smoothTriangleNormals, smoothTriangleUvs, triangle, trianglePoints)
+import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Transform (transform, transformRotation, transformScale, transformTranslation)
 import Dioptre.Math.Vector (Point, Vector)
 import Dioptre.Scene.Form (Form, directionForm, optionally, positive, realFrom, realThatIsAny, scaleForm, textureForm, vectorForm)
@@ -239,7 +240,7 @@ eachCorner word form =
 -- Flat shapes
 
 buildPlane :: Draft -> Either Flaw Plane
-buildPlane d = plane (draftPosition d) (draftNormal d) `orElse` ZeroNormal
+buildPlane d = plane (draftPosition d) (draftNormal d) `orElse` ZeroNormal smallestLength
 
 buildDisk :: Draft -> Either Flaw Disk
 buildDisk d = buildPlane d >>= \p -> disk p (draftSize d) `orElse` ZeroSize

@@ -234,8 +234,8 @@ data Flaw
     WithoutShape
   | -- | It has no extent.
     ZeroSize
-  | -- | The normal is shorter than 1e-10.
-    ZeroNormal
+  | -- | The normal is shorter than that.
+    ZeroNormal Double
   | -- | The camera's position and what it looks at are nearer than 1e-10.
     NowhereToLook
   | -- | The camera's (or light's) up is parallel to its front.
@@ -252,12 +252,12 @@ data Flaw
     CurvatureBelowRadius
   | -- | The two faces of the lens meet inside the rim.
     LensTooThin
-  | -- | The light has no direction.
-    ZeroOrientation
+  | -- | The light has no direction: its orientation is shorter than that.
+    ZeroOrientation Double
   | -- | The three attenuators are zero.
     NoAttenuation
-  | -- | The wavelength is not visible: outside 380 to 780 nm.
-    InvisibleWavelength
+  | -- | The wavelength is not visible: it is outside of these, in nanometres.
+    InvisibleWavelength Double Double
   | -- | The picture has more pixels than that.
     TooManyPixels Int
   | -- | The light has more sources than that.
@@ -430,7 +430,7 @@ flawCode :: Flaw -> Text
 flawCode = \case
   WithoutShape -> "no-shape"
   ZeroSize -> "zero-size"
-  ZeroNormal -> "zero-normal"
+  ZeroNormal {} -> "zero-normal"
   NowhereToLook -> "nowhere-to-look"
   UpAlongFront -> "up-along-front"
   FarBeforeNear -> "far-before-near"
@@ -439,8 +439,8 @@ flawCode = \case
   InnerBeyondOuter -> "inner-beyond-outer"
   CurvatureBelowRadius -> "curvature-below-radius"
   LensTooThin -> "lens-too-thin"
-  ZeroOrientation -> "zero-orientation"
+  ZeroOrientation {} -> "zero-orientation"
   NoAttenuation -> "no-attenuation"
-  InvisibleWavelength -> "invisible-wavelength"
+  InvisibleWavelength {} -> "invisible-wavelength"
   TooManyPixels {} -> "too-many-pixels"
   TooManyOscillators {} -> "too-many-oscillators"

@@ -203,7 +203,7 @@ shapes = describe "a shape" $ do
     primitive ["material_name none"] `saysOf` [at 1 1 10 (ImpossibleObject "primitive" WithoutShape LeftOut)]
     primitive ["material_name none", "geometry", "end"] `saysOf` [at 3 1 9 (ImpossibleObject "geometry" WithoutShape LeftOut)]
     primitive ["material_name none", "sphere", "ray -1", "end"] `saysOf` [at 4 5 7 (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (AtLeast "1.0e-10")) (Kept "1.0"))]
-    primitive ["material_name none", "plane", "normal 0 0 0", "end"] `saysOf` [at 3 1 6 (ImpossibleObject "plane" ZeroNormal LeftOut)]
+    primitive ["material_name none", "plane", "normal 0 0 0", "end"] `saysOf` [at 3 1 6 (ImpossibleObject "plane" (ZeroNormal 1e-10) LeftOut)]
   it "keeps the values before those that are refused" $ do
     let text = primitive ["material_name none", "sphere", "ray 2", "ray 0", "position 1 2 3", "position 1 2", "end"]
     text
@@ -386,22 +386,22 @@ flaws = describe "an object that its values do not make" $ do
         (UpAlongFront, Superseded, "camera", ["up 0 0 0"]),
         (FarBeforeNear, Superseded, "camera", ["near_clipping_plane 5", "far_clipping_plane 4.99"]),
         (TooManyPixels mostPixels, Superseded, "viewport", ["width 2147483647", "height 2147483647"]),
-        (ZeroOrientation, LeftOut, "directional_light", ["orientation 0 0 0.5e-10"]),
+        (ZeroOrientation 1e-10, LeftOut, "directional_light", ["orientation 0 0 0.5e-10"]),
         (NoAttenuation, LeftOut, "point_light", ["constant_attenuator 0"]),
         (NoAttenuation, LeftOut, "lumiere_ponctuelle", ["constant_attenuator 0", "linear_attenuator 1", "linear_attenuator 0"]),
-        (InvisibleWavelength, LeftOut, "linear_aperture_light", ["wave_length 379.99 nm"]),
-        (InvisibleWavelength, LeftOut, "aperture_mask_light", ["wave_length 780.01"]),
+        (InvisibleWavelength 380 780, LeftOut, "linear_aperture_light", ["wave_length 379.99 nm"]),
+        (InvisibleWavelength 380 780, LeftOut, "aperture_mask_light", ["wave_length 780.01"]),
         (TooManyOscillators 1000000, LeftOut, "linear_aperture_light", ["nb_oscillator 1000001"]),
         (TooManyOscillators 1000000, LeftOut, "rectangular_aperture_light", ["nb_oscillator 1001"]),
         (UpAlongFront, LeftOut, "elliptical_aperture_light", ["front 0 1 0"]),
         (UpAlongFront, LeftOut, "rectangular_aperture_light", ["up 0 0 0"])
       ]
     impossibleShapes =
-      [ (ZeroNormal, "plane", ["normal 0 0 0.9e-10"]),
-        (ZeroNormal, "disque", ["normale 0 0 0"]),
-        (ZeroNormal, "annulus", ["normal 0 0 0"]),
-        (ZeroNormal, "tore", ["normal 0 0 0"]),
-        (ZeroNormal, "spherical_cap", ["normal 0 0 0"]),
+      [ (ZeroNormal 1e-10, "plane", ["normal 0 0 0.9e-10"]),
+        (ZeroNormal 1e-10, "disque", ["normale 0 0 0"]),
+        (ZeroNormal 1e-10, "annulus", ["normal 0 0 0"]),
+        (ZeroNormal 1e-10, "tore", ["normal 0 0 0"]),
+        (ZeroNormal 1e-10, "spherical_cap", ["normal 0 0 0"]),
         (CollinearPoints, "triangle", ["point 0 0 0", "point 1 1 1", "point 3 3 3"]),
         (CollinearPoints, "btriangle", ["point 0 0 0", "point 0 0 0", "point 3 3 4"]),
         (EqualPoints, "tube", ["point 0 0 1"]),

@@ -82,7 +82,7 @@ refusals =
 
 flaws :: [Flaw]
 flaws =
-  [WithoutShape, ZeroSize, ZeroNormal, NowhereToLook, UpAlongFront, FarBeforeNear, CollinearPoints, EqualPoints, InnerBeyondOuter, CurvatureBelowRadius, LensTooThin, ZeroOrientation, NoAttenuation, InvisibleWavelength, TooManyPixels 5, TooManyOscillators 5]
+  [WithoutShape, ZeroSize, ZeroNormal 1e-10, NowhereToLook, UpAlongFront, FarBeforeNear, CollinearPoints, EqualPoints, InnerBeyondOuter, CurvatureBelowRadius, LensTooThin, ZeroOrientation 1e-10, NoAttenuation, InvisibleWavelength 380 780, TooManyPixels 5, TooManyOscillators 5]
 
 expectations :: [Expectation]
 expectations =
