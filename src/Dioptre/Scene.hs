@@ -5,8 +5,9 @@
 -- Description : A checked scene
 --
 -- Everything that a picture is made from. A scene has no faults left: every value is within its range, every object is
--- possible, every primitive's material exists. "Dioptre.Scene.Check" makes one from any text, fills in defaults and says so;
--- there is no other way to one. What may be asked of a scene are functions, so that nothing can be put into one here that was not checked.
+-- possible, every primitive's material exists. "Dioptre.Scene.Check" makes one from any text, fills in defaults and
+-- says so; there is no other way to one. What may be asked of a scene are functions, so that nothing can be put into
+-- one here that was not checked.
 module Dioptre.Scene
   ( Scene,
 
@@ -73,7 +74,8 @@ sceneMaterials = Unchecked.sceneMaterials
 sceneLights :: Scene -> [Light]
 sceneLights = Unchecked.sceneLights
 
--- | Its own shapes, in the order of the file, each with what its material comes to, which is worked out once for each material.
+-- | Its own shapes, in the order of the file, each with what its material comes to, which is worked out once for each
+-- material.
 --
 -- Law: there are as many as primitives, as every primitive's material is there.
 sceneSolids :: (Material -> a) -> Scene -> [(Shape, a)]

@@ -217,7 +217,8 @@ booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
 text :: Form Text
 text = textThat SomeText (const Nothing)
 
--- | The name of a file that the program reads. The word @none@, so spelt, stands for no file: what is read, checked and written knows it here only.
+-- | The name of a file that the program reads. The word @none@, so spelt, stands for no file: what is read, checked and
+-- written knows it here only.
 fileName :: Form (Maybe Text)
 fileName = Form SomeText (fmap meant . formRead text) (Just . fromMaybe none)
   where

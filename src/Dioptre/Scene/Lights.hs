@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Scene.Lights
 -- Description : The lights of the scene language
 --
--- One schema for each light: its words, their forms, and when there is such a light. Lights have much in common (all that shine from a place have a colour, an
--- amplification and attenuators; all that are waves have a wavelength besides), so that they share one kind of draft, of which each reads and writes its part.
+-- One schema for each light: its words, their forms, and when there is such a light. Lights have much in common (all
+-- that shine from a place have a colour, an amplification and attenuators; all that are waves have a wavelength
+-- besides), so that they share one kind of draft, of which each reads and writes its part.
 --
 -- > ambient_light                color
 -- > directional_light            color  orientation

@@ -2,8 +2,8 @@
 -- Module      : Dioptre.Scene.Materials
 -- Description : The materials of the scene language
 --
--- A material is plain, or has pictures that stand in for its colours; the second has all properties of the first and three file names. Materials are known by their
--- names, of which a scene may have two alike: the first one counts.
+-- A material is plain, or has pictures that stand in for its colours; the second has all properties of the first and
+-- three file names. Materials are known by their names, of which a scene may have two alike: the first one counts.
 --
 -- Specification: chapter 3.
 module Dioptre.Scene.Materials

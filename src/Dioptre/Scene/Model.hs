@@ -6,8 +6,8 @@
 -- Module      : Dioptre.Scene.Model
 -- Description : Models from files
 --
--- What a scene says of a model: which file it is in, where it goes, and which way up its pictures are. What is in the file is the affair of later
--- stages ("Dioptre.Load.Models"). Specification: rule @block.model@.
+-- What a scene says of a model: which file it is in, where it goes, and which way up its pictures are. What is in the
+-- file is the affair of later stages ("Dioptre.Load.Models"). Specification: rule @block.model@.
 module Dioptre.Scene.Model
   ( Model (..),
     UvFormat (..),

@@ -5,8 +5,9 @@
 -- Module      : Dioptre.Scene.Primitive
 -- Description : Shapes with materials
 --
--- A primitive is a thing to be seen: a shape, and the name of the material that it is of. The name is looked up when the whole file has been read
--- ("Dioptre.Scene.Check"), so that materials may stand behind the primitives that use them. Specification: rule @block.primitive@.
+-- A primitive is a thing to be seen: a shape, and the name of the material that it is of. The name is looked up when
+-- the whole file has been read ("Dioptre.Scene.Check"), so that materials may stand behind the primitives that use
+-- them. Specification: rule @block.primitive@.
 module Dioptre.Scene.Primitive
   ( Primitive (..),
     primitiveSchema,

@@ -6,8 +6,9 @@
 -- Module      : Dioptre.Scene.Raytracer
 -- Description : How rays are cast and shaded
 --
--- What is to be drawn of a scene rather than what is in it: through which points of a pixel rays go, how far they branch, which terms of light are added up, and what
--- becomes of colours that are too bright. Two properties, @task@ and @space@, told the original how to work; they are read and written, and change no picture.
+-- What is to be drawn of a scene rather than what is in it: through which points of a pixel rays go, how far they
+-- branch, which terms of light are added up, and what becomes of colours that are too bright. Two properties, @task@
+-- and @space@, told the original how to work; they are read and written, and change no picture.
 --
 -- Specification: chapter 3.
 module Dioptre.Scene.Raytracer

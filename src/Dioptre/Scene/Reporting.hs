@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Scene.Reporting
 -- Description : What there is to say while a file is read
 --
--- Reading never fails: what cannot be used is told at its place, and passed over. This module collects what is told, and knows what has no place
--- where it stands; what an object wants is the affair of "Dioptre.Scene.Schema". Specification: chapter 3.
+-- Reading never fails: what cannot be used is told at its place, and passed over. This module collects what is told,
+-- and knows what has no place where it stands; what an object wants is the affair of "Dioptre.Scene.Schema".
+-- Specification: chapter 3.
 module Dioptre.Scene.Reporting
   ( -- * Collecting
     Check,
@@ -52,8 +53,8 @@ sparingly n (Diagnostic place problem) = case problem of
   MissingMaterial name _ -> (n + 1, Diagnostic place (if n < 1000 then problem else MissingMaterial name Nothing))
   _ -> (n, Diagnostic place problem)
 
--- | Says that a block has no place in an object (none: at the level of the file), where those words may stand. It is passed over,
--- with all that is in it.
+-- | Says that a block has no place in an object (none: at the level of the file), where those words may stand. It is
+-- passed over, with all that is in it.
 passOver :: Maybe Text -> [Keyword] -> Block -> Check ()
 passOver object words' block =
   report (headSpan (blockHead block)) (misfit object words' (blockHead block) (TheObject (lastLine block)))

@@ -85,7 +85,8 @@ data Slot a v = Slot
     slotPut :: v -> a -> Either Refusal a
   }
 
--- | Where a draft has its shape, and how shapes are read and written. ("Dioptre.Scene.Shapes", which knows how, is built on schemas itself.)
+-- | Where a draft has its shape, and how shapes are read and written. ("Dioptre.Scene.Shapes", which knows how, is
+-- built on schemas itself.)
 data ShapePlace a = ShapePlace
   { shapeGet :: a -> Maybe Shape,
     shapePut :: Maybe Shape -> a -> a,

@@ -21,8 +21,8 @@
 -- > btriangle      point point point, normal normal normal, uv uv uv
 -- > geometry       scale rotation translation, and a shape
 --
--- All of them fill one kind of draft, which has a place and a default for whatever a shape can be given; each shape reads and writes
--- its own part. Specification: chapter 3.
+-- All of them fill one kind of draft, which has a place and a default for whatever a shape can be given; each shape
+-- reads and writes its own part. Specification: chapter 3.
 module Dioptre.Scene.Shapes
   ( readShape,
     writeShape,

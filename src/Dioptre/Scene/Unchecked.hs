@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Scene.Unchecked
 -- Description : What a scene is made of
 --
--- The record behind a scene, with its constructor: whoever has that can make a scene with faults. Only "Dioptre.Scene.Check", which
--- makes scenes, and "Dioptre.Scene", which gives the rest of the program what may be asked of one, import this module; a test says so.
+-- The record behind a scene, with its constructor: whoever has that can make a scene with faults. Only
+-- "Dioptre.Scene.Check", which makes scenes, and "Dioptre.Scene", which gives the rest of the program what may be asked
+-- of one, import this module; a test says so.
 module Dioptre.Scene.Unchecked
   ( Scene (..),
   )
@@ -18,7 +19,8 @@ import Dioptre.Scene.Model (Model)
 import Dioptre.Scene.Primitive (Primitive)
 import Dioptre.Scene.Raytracer (Raytracer)
 
--- | A scene. Lists are in the order of the file: where two primitives are hit at the same distance the first one is seen.
+-- | A scene. Lists are in the order of the file: where two primitives are hit at the same distance the first one is
+-- seen.
 --
 -- Invariant: every primitive's material is one of the materials, by name; of several of one name the first.
 data Scene = Scene

@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Source.Phrase
 -- Description : Small pieces of sentences
 --
--- What the program's sentences are put together from, in any stage: words of a file, numbers, and numbers of things. Real numbers are as short as they
--- read back, and look like those of the scene language; what stands in a file is shown so that it cannot command a terminal.
+-- What the program's sentences are put together from, in any stage: words of a file, numbers, and numbers of things.
+-- Real numbers are as short as they read back, and look like those of the scene language; what stands in a file is
+-- shown so that it cannot command a terminal.
 module Dioptre.Source.Phrase
   ( -- * Pieces of a file
     quoted,

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Source.Report
 -- Description : How diagnostics look
 --
--- The same diagnostics for a person (the line, and a caret under what it is about), for a program (JSON), and as a count.
+-- The same diagnostics for a person (the line, and a caret under what it is about), for a program (JSON), and as a
+-- count.
 --
 -- > scene.txt:12:3: error: unknown word 'sphre'; did you mean 'sphere'?  [unknown-word]
 -- >    12 |   sphre

@@ -4,15 +4,16 @@
 -- Module      : Dioptre.Source.Words
 -- Description : The words of a line, and what separates them
 --
--- A line is words with blanks between them. Which characters are blank differs: the scene language has three of them, and AGP files follow it; OBJ and
--- MTL files follow the C library, in which the vertical tab and the line ends are blank as well.
+-- A line is words with blanks between them. Which characters are blank differs: the scene language has three of them,
+-- and AGP files follow it; OBJ and MTL files follow the C library, in which the vertical tab and the line ends are
+-- blank as well.
 --
 -- > character           space  tab  line feed  vertical tab  form feed  carriage return
 -- > code                 32     9      10           11          12           13
 -- > in a scene            x     x                               x
 -- > in an OBJ file        x     x       x            x          x            x
 --
--- (A line feed is in no line, and no carriage return is in a text that was decoded; where a line goes on in the next one, they stand in it.)
+-- (Line ends of any kind are in no line any more where words are cut from it.)
 module Dioptre.Source.Words
   ( Token (..),
     wordsOf,
@@ -36,8 +37,8 @@ data Token = Token
 
 -- | The words of the line of that number, between such characters. Linear.
 --
--- >>> wordsOf isBlank 7 " 0,5  x"
--- [Token {tokenSpan = Span {spanLine = 7, spanColumn = 2, spanEndColumn = 5}, tokenText = "0,5"},Token {tokenSpan = Span {spanLine = 7, spanColumn = 7, spanEndColumn = 8}, tokenText = "x"}]
+-- >>> [(text, from, to) | Token (Span _ from to) text <- wordsOf isBlank 7 " 0,5  x"]
+-- [("0,5",2,5),("x",7,8)]
 wordsOf :: (Char -> Bool) -> Int -> Text -> [Token]
 wordsOf separates line = go 1
   where
