@@ -94,6 +94,7 @@ import qualified Dioptre.Render.WorldSpec
 import qualified Dioptre.RenderSpec
 import qualified Dioptre.Scene.CameraSpec
 import qualified Dioptre.Scene.CheckSpec
+import qualified Dioptre.Scene.ComparisonsSpec
 import qualified Dioptre.Scene.ConfigurationSpec
 import qualified Dioptre.Scene.FormSpec
 import qualified Dioptre.Scene.LightsSpec
@@ -227,6 +228,7 @@ specs = do
   describe "Dioptre.Render" Dioptre.RenderSpec.spec
   describe "Dioptre.Scene.Camera" Dioptre.Scene.CameraSpec.spec
   describe "Dioptre.Scene.Check" Dioptre.Scene.CheckSpec.spec
+  describe "Dioptre.Scene.Comparisons" Dioptre.Scene.ComparisonsSpec.spec
   describe "Dioptre.Scene.Configuration" Dioptre.Scene.ConfigurationSpec.spec
   describe "Dioptre.Scene.Form" Dioptre.Scene.FormSpec.spec
   describe "Dioptre.Scene.Lights" Dioptre.Scene.LightsSpec.spec

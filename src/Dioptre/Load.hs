@@ -4,6 +4,16 @@
 -- |
 -- Module      : Dioptre.Load
 -- Description : From a path to a scene or a picture
+--
+-- Where files come in. A scene is read and checked without any other file; then come the pictures and models that it
+-- names, each looked for beside the scene and read once. Nothing that is missing stops anything: the place that names
+-- it is told, and the scene does without.
+--
+-- > path -- decode, parse, check --> scene, and the names in it
+-- >                                         |
+-- >              pictures, models, materials, on one shelf --> assets, library, what is wrong
+--
+-- Specification: chapters 9 and 11.
 module Dioptre.Load
   ( -- * Loading
     Loaded (..),

@@ -33,12 +33,11 @@ import Dioptre.Load (Loaded (..), loadScene)
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..), renderWith)
-import Dioptre.Render.Radiance (mostRays)
 import Dioptre.Render.Row (Plan, plan, planExtent, planHeight, planWithin, window)
 import Dioptre.Render.World (Extent (..))
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (Scene, sceneViewport, withSampling, withViewport)
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
-import Dioptre.Scene.Raytracer (Raytracer (..))
+import Dioptre.Scene.Raytracer (mostRays)
 import Dioptre.Source.Diagnostic (Diagnostic (..), Fate (LeftOut), Problem (ImpossibleObject), Severity (..), severity)
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Message (message)
@@ -126,8 +125,7 @@ adjusted options loaded = do
       assets = loadedAssets loaded
       library = loadedLibrary loaded
   port <- resized (optionWidth options) (optionHeight options) (sceneViewport scene)
-  let tracer = sceneRaytracer scene
-      scene' = scene {sceneViewport = port, sceneRaytracer = maybe tracer (\n -> tracer {raytracerSampling = n}) (optionSampling options)}
+  let scene' = maybe id withSampling (optionSampling options) (withViewport port scene)
   case optionCrop options of
     Nothing -> Right (scene', plan assets library scene')
     Just (x, y, w, h) -> case window port x y w h of

@@ -52,7 +52,7 @@ import qualified Dioptre.Geometry.Ray as Ray
 import Dioptre.Geometry.Shape (Shape)
 import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Math.Vector (Unit, Vector, unit)
-import Dioptre.Scene.Schema (runCheck)
+import Dioptre.Scene.Reporting (runCheck)
 import Dioptre.Scene.Shapes (describeShapes, readShape)
 import Dioptre.Source.Diagnostic (Diagnostic (..), Expectation (..))
 import Dioptre.Source.Language (Language (English))

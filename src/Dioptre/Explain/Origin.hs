@@ -25,7 +25,7 @@ import Dioptre.Geometry.Shape (Shape (..))
 import Dioptre.Math.Transform (identity)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..))
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (Scene, scenePrimitives)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword

@@ -35,7 +35,6 @@ import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Picture.Byte (normalized, pixelOf)
 import Dioptre.Render.Closest (closest)
 import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
-import Dioptre.Render.Radiance (mostRays)
 import Dioptre.Render.Sampling (offset)
 import Dioptre.Render.Shade (Lit (..), coloursAt, lighting)
 import Dioptre.Render.Stage
@@ -45,9 +44,9 @@ import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.Transmittance (Transmittance (..), farthest, transmittance)
 import Dioptre.Render.View (rayThrough, view, viewFar, viewWidth)
 import Dioptre.Render.World (worldOwn, worldSize)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (Scene, sceneCamera, sceneRaytracer, sceneViewport)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
-import Dioptre.Scene.Raytracer (Raytracer (..))
+import Dioptre.Scene.Raytracer (Raytracer (..), mostRays)
 
 -- | What all rays of a story have in common.
 data Setting = Setting

@@ -1,6 +1,5 @@
 {-# LANGUAGE DeriveTraversable #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Light.Finish
@@ -95,7 +94,7 @@ each :: Pictures picture -> (Maybe picture, Maybe picture, Maybe picture)
 each NoPictures = (Nothing, Nothing, Nothing)
 each (Pictures a d s) = (a, d, s)
 
--- | The finish of a material; pictures by their names (the name @none@ stands for none).
+-- | The finish of a material; pictures by the names of their files.
 finish :: Material -> Finish Text
 finish m =
   Finish
@@ -107,8 +106,7 @@ finish m =
       finishIndex = if materialKt m /= 0 then materialRefractiveIndex m else 1
     }
   where
-    named which = materialTextures m >>= given . which
-    given name = if name `elem` ["", "none"] then Nothing else Just name
+    named which = materialTextures m >>= which
 
 -- | The same finish with its pictures looked up: a colour stands for itself where there is none.
 withPictures :: (a -> Maybe b) -> Finish a -> Finish b

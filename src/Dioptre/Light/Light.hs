@@ -15,6 +15,8 @@ module Dioptre.Light.Light
     Opening (..),
     attenuates,
     isVisible,
+    shortestVisible,
+    longestVisible,
   )
 where
 
@@ -61,8 +63,8 @@ data Wave = Wave
 data Opening
   = Rectangle
   | Ellipse
-  | -- | A picture whose white places are open; @none@ is open everywhere.
-    Mask Text
+  | -- | A picture, by the name of its file, whose white places are open; without one it is open everywhere.
+    Mask (Maybe Text)
   deriving stock (Eq, Show)
 
 -- | Where an opening lies and how large it is.
@@ -78,6 +80,11 @@ data Aperture = Aperture
 attenuates :: Lamp -> Bool
 attenuates l = lampAttenuators l /= (0, 0, 0)
 
--- | Whether a wavelength has a colour: 380 to 780 nm.
+-- | Whether a wavelength has a colour.
 isVisible :: Wave -> Bool
-isVisible w = waveLength w >= 380 && waveLength w <= 780
+isVisible w = waveLength w >= shortestVisible && waveLength w <= longestVisible
+
+-- | The ends of the visible light, in nanometres.
+shortestVisible, longestVisible :: Double
+shortestVisible = 380
+longestVisible = 780

@@ -45,11 +45,11 @@ data Material = Material
   }
   deriving stock (Eq, Show)
 
--- | File names of the pictures that stand in for the ambient, diffuse and specular colours; @none@ for none.
+-- | File names of the pictures that stand in for the ambient, diffuse and specular colours.
 data Textures = Textures
-  { textureKa :: Text,
-    textureKd :: Text,
-    textureKs :: Text
+  { textureKa :: Maybe Text,
+    textureKd :: Maybe Text,
+    textureKs :: Maybe Text
   }
   deriving stock (Eq, Show)
 

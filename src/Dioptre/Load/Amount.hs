@@ -3,6 +3,10 @@
 -- |
 -- Module      : Dioptre.Load.Amount
 -- Description : How much there is in a model's file
+--
+-- What the log says of a model that was read: so many triangles, primitives or tubes, each format counting what it is
+-- made of. It is kept beside the library, in which nothing of it can be seen any more: polygons have become triangles
+-- there.
 module Dioptre.Load.Amount
   ( ModelRead (..),
     Amount (..),

@@ -63,7 +63,7 @@ import qualified Dioptre.Model.Obj as Obj
 import Dioptre.Picture (Picture)
 import Dioptre.Render.Texture (Texture (..), Upward (..))
 import Dioptre.Scene.Check (Mention (..))
-import Dioptre.Scene.Primitive (Model (..), UvFormat (..), uvFormatName)
+import Dioptre.Scene.Model (Model (..), UvFormat (..), uvFormatName)
 import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble (..), FileUse (..), Problem (..))
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Span (Span)
@@ -120,15 +120,15 @@ loadModels site mentions = do
 
 -- | The model that is named there, if it can be read and there is room for it.
 place :: Site -> Mention -> Placing (Maybe Instance)
-place site mention
+place site mention = case modelFile model of
   -- That it names no file has been told.
-  | name `elem` ["", "none"] = pure Nothing
-  | otherwise =
-    lift (modelNamed site model) >>= \case
+  Nothing -> pure Nothing
+  Just name ->
+    lift (modelNamed site name (modelUvFormat model)) >>= \case
       Left problem -> Nothing <$ complain (mentionFile mention) problem
       Right shelved -> do
         account <- get
-        case obstacle account shelved of
+        case obstacle name account shelved of
           Just problem -> Nothing <$ complain (mentionFile mention) problem
           Nothing -> do
             modify' (\a -> a {accountSize = accountSize a + shelvedSize shelved, accountHeight = max (accountHeight a) (shelvedHeight shelved)})
@@ -137,8 +137,7 @@ place site mention
             pure (Just (Instance (shelvedNumber shelved) (modelTransform model)))
   where
     model = mentionModel mention
-    name = modelFile model
-    obstacle account shelved
+    obstacle name account shelved
       | shelvedHeight shelved > siteRoom site = Just (ModelTooDeep name deepestModels)
       | accountSize account + shelvedSize shelved > mostParts = Just (TooManyParts name mostParts)
       | otherwise = Nothing
@@ -165,9 +164,9 @@ formatOf name = case takeExtension (Text.unpack (Text.toLower (Text.strip name))
   ".agp" -> Just AgpFormat
   _ -> Nothing
 
--- | The model of the name that is meant, from the shelf or from its file; or what is the matter with it.
-modelNamed :: Site -> Model -> Loading (Either Problem Shelved)
-modelNamed site model = case formatOf name of
+-- | The model that a name and a @uv_format@ mean, from the shelf or from its file; or what is the matter with it.
+modelNamed :: Site -> Text -> UvFormat -> Loading (Either Problem Shelved)
+modelNamed site name uvFormat = case formatOf name of
   Nothing -> pure (Left (UnknownModelFormat name))
   Just format ->
     findFile (siteFolder site) name >>= \case
@@ -176,9 +175,8 @@ modelNamed site model = case formatOf name of
         (between, again : _) -> pure (Left (ModelCycle (map foundPath (again : reverse between <> [file]))))
         (_, []) ->
           either (Left . unusable) Right
-            <$> once shelfModels (\m shelf -> shelf {shelfModels = m}) (foundFile file) (loadModel site file (modelUvFormat model) format)
+            <$> once shelfModels (\m shelf -> shelf {shelfModels = m}) (foundFile file) (loadModel site file uvFormat format)
   where
-    name = modelFile model
     unusable = UnusableFile name ForModel
 
 -- | Reads a model, and what it names.

@@ -46,7 +46,8 @@ import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Source.Diagnostic (CurveFlaw (..), Diagnostic (..), Problem (..), Refusal (..))
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, sourceText)
-import Dioptre.Syntax.Value (Token (..), real)
+import Dioptre.Source.Words (Token (..), isBlank, wordsOf)
+import Dioptre.Syntax.Value (real)
 import Linear.V3 (V3 (..))
 
 -- | The radius of the tubes.
@@ -72,19 +73,7 @@ type Located = (Span, Point)
 
 -- | The lines of a file that have words.
 rowsOf :: Source -> [Row]
-rowsOf source = mapMaybe nonEmpty (zipWith (`wordsAt` 1) [1 ..] (Text.split (== '\n') (sourceText source)))
-
--- | The words of a text that begins in that line and column.
-wordsAt :: Int -> Int -> Text -> [Token]
-wordsAt line column text
-  | Text.null word = []
-  | otherwise = Token (Span line start end) word : wordsAt line end rest
-  where
-    (before, from) = Text.span isBlank text
-    (word, rest) = Text.break isBlank from
-    start = column + Text.length before
-    end = start + Text.length word
-    isBlank c = c == ' ' || c == '\t' || c == '\f'
+rowsOf source = mapMaybe nonEmpty (zipWith (wordsOf isBlank) [1 ..] (Text.split (== '\n') (sourceText source)))
 
 -- | file = *(other \/ curve)
 curvesOf :: [Row] -> [Either Diagnostic [Located]]

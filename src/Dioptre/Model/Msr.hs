@@ -27,9 +27,9 @@ import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Vector as Vector
 import Dioptre.Light.Finish (finish)
-import Dioptre.Light.Material (materialName)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Scene.Check (Mention, ModelFile (..), checkModelFile, pictureNames)
+import Dioptre.Scene.Materials (byName)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Source.Diagnostic (Diagnostic, FileUse (ForTexture))
 import Dioptre.Source.Span (Span)
@@ -57,7 +57,6 @@ readMsr tree =
   where
     (file, diagnostics) = checkModelFile tree
     materials = modelFileMaterials file
-    -- Of several of one name the first counts, so it goes in last.
-    numbers = Map.fromList (reverse (zip (map materialName materials) [0 ..]))
+    numbers = byName (zip materials [0 ..])
     part (Left mention) = [Nested mention]
     part (Right p) = [Solid (primitiveShape p) n | Just n <- [Map.lookup (primitiveMaterial p) numbers]]

@@ -45,7 +45,8 @@ import Dioptre.Model.Single (single)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, sourceText)
-import Dioptre.Syntax.Value (Token (..), showReal)
+import Dioptre.Source.Words (Token (..), isBlankInObj, wordsOf)
+import Dioptre.Syntax.Value (showReal)
 
 -- | What a library holds.
 data Mtl picture = Mtl
@@ -111,7 +112,7 @@ logicalLines text = joined (zip [1 ..] (Text.split (== '\n') text))
   where
     joined [] = []
     joined ((n, l) : rest)
-      | "#" `Text.isPrefixOf` Text.dropWhile isBlank l = joined rest
+      | "#" `Text.isPrefixOf` Text.dropWhile isBlankInObj l = joined rest
       | otherwise = case span (("\\" `Text.isSuffixOf`) . snd) ((n, l) : rest) of
         (more, after) -> (map (fmap (Text.dropEnd 1)) more <> take 1 after) : joined (drop 1 after)
 
@@ -120,30 +121,13 @@ data Statement = Statement Token [Token] Logical
 
 -- | What a line says, if it says something.
 statement :: Logical -> Maybe Statement
-statement l = case concatMap (uncurry wordsOf) l of
+statement l = case concatMap (uncurry (wordsOf isBlankInObj)) l of
   [] -> Nothing
   word : rest -> Just (Statement word rest l)
 
--- | The words of a line of that number.
-wordsOf :: Int -> Text -> [Token]
-wordsOf n = go 1
-  where
-    go column t
-      | Text.null word = []
-      | otherwise = Token (Span n start end) word : go end after
-      where
-        (blanks, rest) = Text.span isBlank t
-        (word, after) = Text.break isBlank rest
-        start = column + Text.length blanks
-        end = start + Text.length word
-
--- | Whether a character separates words.
-isBlank :: Char -> Bool
-isBlank c = c == ' ' || (c >= '\t' && c <= '\r')
-
 -- | What stands in a line from this word on, without blanks at its ends: a name.
 from :: Token -> Logical -> Text
-from (Token place _) l = Text.unwords (filter (not . Text.null) (map (Text.dropAround isBlank) pieces))
+from (Token place _) l = Text.unwords (filter (not . Text.null) (map (Text.dropAround isBlankInObj) pieces))
   where
     pieces = [if n == spanLine place then Text.drop (spanColumn place - 1) t else t | (n, t) <- l, n >= spanLine place]
 
@@ -168,7 +152,7 @@ sections (s : rest) = let (own, others) = break isNew rest in (s, own) : section
 -- | Adds a material, with the line of its name, to those that there are, unless its name is taken.
 material :: Map Text (Finish Named, Int) -> (Statement, [Statement]) -> (Map Text (Finish Named, Int), [Diagnostic])
 material known (Statement word rest l, properties) = case (rest, Map.lookup name known) of
-  ([], _) -> (known, Diagnostic (tokenSpan word) (RefusedValue "newmtl" NothingThere SomeText "none") : faults)
+  ([], _) -> (known, Diagnostic (tokenSpan word) (RefusedValue "newmtl" NothingThere SomeText (Kept "none")) : faults)
   (t : _, Just (_, first)) -> (known, Diagnostic (tokenSpan t) (RepeatedMaterial name first) : faults)
   (_, Nothing) -> (Map.insert name (finish, spanLine (tokenSpan word)) known, faults)
   where
@@ -198,7 +182,7 @@ property (Statement word rest l) = case tokenText word of
   "map_Ks" -> Just (picture (\name f -> withSpecular (painted name (finishSpecular f)) f))
   _ -> Nothing
   where
-    refused place why wanted kept = Diagnostic place (RefusedValue (tokenText word) why wanted kept)
+    refused place why wanted kept = Diagnostic place (RefusedValue (tokenText word) why wanted (Kept kept))
     -- A comment may follow them.
     numbers = takeWhile (not . ("#" `Text.isPrefixOf`) . tokenText) rest
     painted name (Layer plain _) = Layer plain (Just name)

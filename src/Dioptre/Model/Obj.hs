@@ -15,7 +15,7 @@
 -- >                           i, i/t, i//n or i/t/n: vertex, texture coordinate, normal
 --
 -- Numbers count from 1 in the order of the file; negative ones count back from the line (-1 is the last vertex before it). Further numbers of a v, vt or vn (w, a colour)
--- are passed over, and so are lines with other words (o, g, s, l ...). Source: B. Paul Bourke's copy of the format's description,
+-- are passed over, and so are lines with other words (o, g, s, l ...). Source: Paul Bourke's copy of the format's description,
 -- <http://paulbourke.net/dataformats/obj/>.
 --
 -- The file is read in one go, in pieces of any size, into flat vectors: what is kept of it is its triangles, and never its text.

@@ -58,7 +58,8 @@ byteAt line i = case toForeignPtr line of
   (bytes, offset, _) -> accursedUnutterablePerformIO (unsafeWithForeignPtr bytes (\p -> peekByteOff p (offset + i)))
 {-# INLINE byteAt #-}
 
--- | Whether a byte separates words: space, tab, vertical tab, form feed, and the line ends.
+-- | Whether a byte separates words: space, tab, vertical tab, form feed, and the line ends, as @isBlankInObj@ of
+-- "Dioptre.Source.Words" has it for characters.
 isBlank :: Word8 -> Bool
 isBlank c = c == 32 || c - 9 < 5
 {-# INLINE isBlank #-}

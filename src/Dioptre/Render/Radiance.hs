@@ -21,7 +21,6 @@ module Dioptre.Render.Radiance
   ( Seen (..),
     radiance,
     unlit,
-    mostRays,
   )
 where
 
@@ -40,6 +39,7 @@ import Dioptre.Render.Surface (Surface (..), finishAt, surfaceAt)
 import Dioptre.Render.Surroundings (refractiveIndexAt)
 import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (World)
+import Dioptre.Scene.Raytracer (mostRays)
 
 -- | What a ray sees.
 data Seen = Seen
@@ -52,10 +52,6 @@ data Seen = Seen
     seenCut :: !Bool
   }
   deriving stock (Eq, Show)
-
--- | For one primary ray no more rays than this are followed, shadow rays not counted.
-mostRays :: Int
-mostRays = 65536
 
 -- | Without light: the diffuse colour of the first surface, as opaque as its material, or black.
 unlit :: Stage -> Double -> Ray -> Seen

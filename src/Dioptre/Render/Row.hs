@@ -58,7 +58,7 @@ import Dioptre.Render.Surface (finishAt)
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.View (View, rayThrough, view, viewFar, viewWidth)
 import Dioptre.Render.World (Extent, worldExtent, worldHasPictures, worldOwn)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (Scene, sceneCamera, sceneRaytracer, sceneViewport)
 import Dioptre.Scene.Camera (Viewport, viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (PixelCoordinate (Random), Raytracer (..))
 

@@ -35,7 +35,7 @@ import Dioptre.Math.Vector (Packed, Point, packed, unit, vector, (*^))
 import Dioptre.Model.Library (Library)
 import Dioptre.Render.Texture (Assets, Texture (..), Upward (..), texel)
 import Dioptre.Render.World (World, world)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (Scene, sceneLights, sceneRaytracer)
 import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
 import Linear.V2 (V2 (..))
 import Linear.V3 (V3 (..))
@@ -94,7 +94,7 @@ isOpen :: Assets -> Opening -> Aperture -> Double -> Double -> Bool
 isOpen assets opening aperture x y = case opening of
   Rectangle -> True
   Ellipse -> let dx = x - w / 2; dy = y - h / 2 in dx * dx / (w * w / 4) + dy * dy / (h * h / 4) <= 1 + ellipseRim
-  Mask name -> maybe True (\p -> texel (Texture FromFirstRow p) (V2 (x / w) (y / h)) == white) (Map.lookup name assets)
+  Mask name -> maybe True (\p -> texel (Texture FromFirstRow p) (V2 (x / w) (y / h)) == white) (name >>= (`Map.lookup` assets))
   where
     w = apertureWidth aperture
     h = apertureHeight aperture

@@ -46,7 +46,7 @@ where
 
 import Data.List (foldl', mapAccumL)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, mapMaybe)
+import Data.Maybe (mapMaybe, maybeToList)
 import Data.Primitive.PrimArray
 import Data.Vector (Vector, (!?))
 import qualified Data.Vector as Vector
@@ -60,13 +60,11 @@ import Dioptre.Geometry.Prepared (Prepared, isClosed, prepare)
 import Dioptre.Geometry.PreparedMesh (PreparedMesh, prepareMesh, preparedMesh, preparedMeshHierarchy)
 import Dioptre.Geometry.Shape (Shape)
 import Dioptre.Light.Finish (Finish, finish, hasPictures, isTransparent, withPictures)
-import Dioptre.Light.Material (Material (..), substitute)
 import Dioptre.Math.Transform (identity)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..))
 import Dioptre.Render.Texture (Assets, Texture (..), Upward (..))
-import Dioptre.Scene (Scene (..))
-import Dioptre.Scene.Primitive (Primitive (..))
+import Dioptre.Scene (Scene, sceneSolids)
 
 -- | All that rays can meet; 'world' makes it, and 'root' and 'worldExtent' read both kinds.
 data World
@@ -167,18 +165,11 @@ world assets library scene
   | hierarchyNodes (boxes (groupShapes top)) == 0 && Vector.null (things (groupInstances top)) = Few (handful (numbered (groupShapes top))) top extent
   | otherwise = Many top extent
   where
-    top = group (mapMaybe thing (scenePrimitives scene)) (map instanced (libraryInstances library))
+    top = group (mapMaybe (\(shape, f) -> shapeWith f shape) (sceneSolids pictured scene)) (mapMaybe instanced (libraryInstances library))
     extent = extentOf top (Vector.toList bodies)
-    thing p = shapeWith (finishOf (primitiveMaterial p)) (primitiveShape p)
     -- Every model once: an instance refers to it. A model is made of models with lower numbers.
     bodies = Vector.map (modelBody instanced) (libraryModels library)
-    instanced i =
-      ( if instanceTransform i == identity then Nothing else Just (placement (instanceTransform i)),
-        fromMaybe (Assembly (group [] [])) (bodies !? instanceModel i)
-      )
-    finishOf name = fromMaybe (pictured (substitute name)) (Map.lookup name finishes)
-    -- Of materials of one name the first counts.
-    finishes = Map.fromListWith (\_ first -> first) [(materialName m, pictured m) | m <- sceneMaterials scene]
+    instanced i = (if instanceTransform i == identity then Nothing else Just (placement (instanceTransform i)),) <$> bodies !? instanceModel i
     pictured m = withPictures (\name -> Texture FromFirstRow <$> Map.lookup name assets) (finish m)
 
 -- | A shape, prepared, with its box and its finish; 'Nothing' if it cannot be prepared.
@@ -186,7 +177,7 @@ shapeWith :: Finish Texture -> Shape -> Maybe (Maybe Box, Prepared, Finish Textu
 shapeWith f shape = (ofShape shape,,f) <$> prepare shape
 
 -- | A model of a library, given its instances of other models.
-modelBody :: (Instance -> (Maybe Placement, Body)) -> Content Instance Texture -> Body
+modelBody :: (Instance -> Maybe (Maybe Placement, Body)) -> Content Instance Texture -> Body
 modelBody instanced content = case contentParts content of
   [Faces mesh] -> Triangles (prepareMesh mesh) finishes
   parts ->
@@ -199,7 +190,7 @@ modelBody instanced content = case contentParts content of
     inner part = case part of
       Solid _ _ -> []
       Faces mesh -> [(Nothing, Triangles (prepareMesh mesh) finishes)]
-      Nested i -> [instanced i]
+      Nested i -> maybeToList (instanced i)
 
 -- | A group of shapes with their boxes and finishes, and of instances.
 group :: [(Maybe Box, Prepared, Finish Texture)] -> [(Maybe Placement, Body)] -> Group

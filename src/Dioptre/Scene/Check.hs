@@ -40,15 +40,17 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import Dioptre.Light.Light (Light)
 import Dioptre.Light.Material (Material (..), substitute)
-import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Camera, Viewport, cameraSchema, defaultCamera, defaultViewport, viewportSchema)
+import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
 import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
-import Dioptre.Scene.Primitive (Model, Primitive (..), modelSchema, primitiveSchema)
+import Dioptre.Scene.Model (Model, modelSchema)
+import Dioptre.Scene.Primitive (Primitive (..), primitiveSchema)
 import Dioptre.Scene.Raytracer (PixelCoordinate (Random), Raytracer (..), defaultRaytracer, raytracerSchema)
-import Dioptre.Scene.Schema (Check, Schema, misfit, passOver, placeOfValue, readObject, report, runCheck)
-import Dioptre.Scene.Shapes (readShape)
-import Dioptre.Source.Diagnostic (Diagnostic, FileUse (..), PassedOver (TheLine), Problem (..))
+import Dioptre.Scene.Reporting (Check, item, passOver, report, runCheck)
+import Dioptre.Scene.Schema (Schema, placeOfValue, readObject)
+import Dioptre.Scene.Unchecked (Scene (..))
+import Dioptre.Source.Diagnostic (Diagnostic, FileUse (..), Problem (..))
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (Keyword, Role (OpensInScene), role)
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -127,14 +129,6 @@ nothingYet = Draft Nothing Nothing Nothing emptyStock Seq.empty
 emptyStock :: Stock
 emptyStock = Stock Seq.empty Seq.empty Seq.empty
 
--- | One thing at the level of the file, where these words may stand.
-item :: [Keyword] -> (a -> Block -> Check a) -> a -> Node -> Check a
-item words' into draft = \case
-  Object block -> into draft block
-  Statement p -> draft <$ report (headSpan (propertyHead p)) (misfit Nothing words' (propertyHead p) TheLine)
-  LooseEnd word -> draft <$ report (headSpan word) (StrayEnd (headText word))
-  OpenComment place -> draft <$ report place UnclosedComment
-
 -- | What a scene has in common with a model, with one more object; 'Nothing' for an object of another kind.
 stocked :: Block -> Stock -> Maybe (Check Stock)
 stocked block stock = case headKeyword (blockHead block) of
@@ -145,11 +139,11 @@ stocked block stock = case headKeyword (blockHead block) of
   _ -> Nothing
   where
     among :: Schema a b -> (b -> Stock) -> Check Stock
-    among schema add = maybe stock add <$> readObject readShape schema block
+    among schema add = maybe stock add <$> readObject schema block
     -- A name that was begun and is missing has been told.
     namesAFile = case listToMaybe [v | Statement (Property word v) <- reverse (blockNodes block), headKeyword word == Just Keyword.File] of
       Nothing -> report (headSpan (blockHead block)) NoModelFile
-      Just v -> when (valueText v == "none") (report (valueSpan v) NoModelFile)
+      Just v -> when (formRead fileName v == Right Nothing) (report (valueSpan v) NoModelFile)
 
 object :: Draft -> Block -> Check Draft
 object draft block = case headKeyword (blockHead block) of
@@ -164,21 +158,21 @@ object draft block = case headKeyword (blockHead block) of
     -- Of several, the last one that is possible counts.
     alone :: Schema a b -> (Draft -> Maybe (Block, b)) -> ((Block, b) -> Draft) -> Check Draft
     alone schema earlier put =
-      readObject readShape schema block >>= \case
+      readObject schema block >>= \case
         Nothing -> pure draft
         Just made -> do
           for_ (earlier draft) $ \(before, _) ->
             report (headSpan (blockHead block)) (ReplacedObject (headText (blockHead block)) (spanLine (headSpan (blockHead before))))
           pure (put (block, made))
 
--- | The pictures that a scene names, where it names them, and what for. The name @none@ stands for none.
+-- | The pictures that a scene names, where it names them, and what for.
 pictureNames :: Tree -> [(Text, FileUse, Span)]
 pictureNames tree =
-  [ (valueText value, use, valueSpan value)
+  [ (name, use, valueSpan value)
     | Object block <- tree,
       Just (use, words') <- [headKeyword (blockHead block) >>= (`lookup` users)],
       Statement (Property word value) <- blockNodes block,
-      valueText value `notElem` ["", "none"],
+      Right (Just name) <- [formRead fileName value],
       Just True <- [(`elem` words') <$> headKeyword word]
   ]
   where

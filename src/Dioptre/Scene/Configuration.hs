@@ -3,13 +3,12 @@
 
 -- |
 -- Module      : Dioptre.Scene.Configuration
--- Description : configuration.cfg, and lists of pictures to compare
+-- Description : configuration.cfg
 --
 -- What the program does when it is run without arguments. The file has the scene language's lines, but no objects: each line is
 -- a property.
 module Dioptre.Scene.Configuration
-  ( -- * The configuration
-    Configuration (..),
+  ( Configuration (..),
     Application (..),
     applicationNames,
     checkConfiguration,
@@ -17,27 +16,22 @@ module Dioptre.Scene.Configuration
     configurationFile,
     defaultSceneFile,
     describeConfiguration,
-
-    -- * Lists to compare
-    checkComparisons,
-    writeComparisons,
   )
 where
 
-import Control.Monad (foldM)
 import Data.List (find)
-import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Scene.Form (Form (..), booleanForm, choice, integerWithin, optionally, outputName, outputNameEnding, text)
+import Dioptre.Scene.Reporting (report, runCheck)
 import Dioptre.Scene.Schema
-import Dioptre.Source.Diagnostic (Diagnostic, Expectation, PassedOver (TheLine), Problem (..), Refusal (NameTaken))
+import Dioptre.Source.Diagnostic (Diagnostic, Expectation, Instead (Kept), Problem (..), Refusal (NameTaken))
 import Dioptre.Source.Language (Language, languageNames)
 import Dioptre.Source.Span (Span (..), wholeFile)
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
-import Dioptre.Syntax.Print (Outline (Group), printOutline)
+import Dioptre.Syntax.Print (printOutline)
 import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..), Property (..), Tree, Value (..))
 
 -- | What a configuration says.
@@ -104,7 +98,7 @@ checkConfiguration withObjects = runCheck $ do
       | otherwise = do
         -- There are fewer other names than these, so that one of them is free.
         let free = fromMaybe instead (find (not . clashes) (instead : [prefix <> instead | prefix <- ["dioptre_", "dioptre_2_", "dioptre_3_", "dioptre_4_"]]))
-        report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) free)
+        report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) (Kept free))
         pure free
       where
         place = fromMaybe wholeFile (placeOfValue word (Block (Head wholeFile "" Nothing) tree (ByEnd wholeFile)))
@@ -148,29 +142,3 @@ schema =
 
 logName :: Form Text
 logName = outputNameEnding ".txt"
-
--- | Pairs of files to compare: blocks @texture_comparator@ of two lines @file@ each.
-checkComparisons :: Tree -> ([(Text, Text)], [Diagnostic])
-checkComparisons tree = runCheck (reverse <$> foldM item [] tree)
-  where
-    item pairs node = case node of
-      Object block | headKeyword (blockHead block) == Just Keyword.TextureComparator -> maybe pairs (: pairs) <$> readObject (const (pure Nothing)) comparison block
-      Object block -> pairs <$ passOver Nothing words' block
-      Statement p -> pairs <$ report (headSpan (propertyHead p)) (misfit Nothing words' (propertyHead p) TheLine)
-      LooseEnd word -> pairs <$ report (headSpan word) (StrayEnd (headText word))
-      OpenComment place -> pairs <$ report place UnclosedComment
-    words' = [Keyword.TextureComparator]
-
--- | The list as a file.
-writeComparisons :: [(Text, Text)] -> Text
-writeComparisons = printOutline . map (Group (schemaKeyword comparison) . writeProperties comparison)
-
-comparison :: Schema (Text, Text) (Text, Text)
-comparison =
-  Schema
-    Keyword.TextureComparator
-    ("none", "none")
-    [several (Keyword.File :| []) text (Slot fst (\a (_, b) -> Right (a, b)) :| [Slot snd (\b (a, _) -> Right (a, b))])]
-    Nothing
-    Right
-    id

@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Scene.Default
 -- Description : The scene that is built in
+--
+-- The scene that a new configuration names, so that there is something to draw before anyone has written a file; and a
+-- first example of the language. It is read like any other. Specification: rule @config.built-in@.
 module Dioptre.Scene.Default
   ( defaultScene,
   )

@@ -30,6 +30,7 @@ module Dioptre.Scene.Form
     choice,
     booleanForm,
     text,
+    fileName,
     outputName,
     outputNameEnding,
 
@@ -43,16 +44,18 @@ module Dioptre.Scene.Form
 where
 
 import Data.Char (isControl, isDigit)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..), named, names)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Vector, modulus)
 import Dioptre.Source.Diagnostic (Expectation (..), Guess (..), Range (..), Refusal (..))
+import Dioptre.Source.Phrase (number, showReal, vectorText)
 import Dioptre.Source.Span (Span)
 import Dioptre.Syntax.Spelling (suggest)
 import Dioptre.Syntax.Tree (Value (..))
-import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, showReal, tokens)
+import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, tokens)
 import Linear.V2 (V2 (..))
 import Linear.V3 (V3 (..))
 
@@ -60,12 +63,17 @@ import Linear.V3 (V3 (..))
 data Form v = Form
   { formExpectation :: Expectation,
     formRead :: Value -> Either (Span, Refusal) v,
-    formShow :: v -> Text
+    -- | 'Nothing' for a value that is none, of which there is nothing to write.
+    formShow :: v -> Maybe Text
   }
 
 -- | A form of one token; what follows the token is ignored.
 scalar :: Expectation -> (Text -> Either Refusal v) -> (v -> Text) -> Form v
-scalar expectation reads' = Form expectation $ \value -> case tokens value of
+scalar expectation reads' shows' = Form expectation (first reads') (Just . shows')
+
+-- | What the first token of a value says.
+first :: (Text -> Either Refusal v) -> Value -> Either (Span, Refusal) v
+first reads' value = case tokens value of
   [] -> Left (valueSpan value, NothingThere)
   token : _ -> at token reads'
 
@@ -95,19 +103,16 @@ realThat range fits = scalar (ARealNumber range) (\t -> real t >>= inside t) sho
 
 -- | An integer from a smallest one up.
 count :: Int -> Form Int
-count low = integerThat (AtLeast (showInt low)) low (fromInteger largestInteger)
+count low = integerThat (AtLeast (number low)) low (fromInteger largestInteger)
 
 -- | An integer between two others, ends included.
 integerWithin :: Int -> Int -> Form Int
-integerWithin low high = integerThat (Between (showInt low) (showInt high)) low high
+integerWithin low high = integerThat (Between (number low) (number high)) low high
 
 integerThat :: Range -> Int -> Int -> Form Int
-integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= inside t) showInt
+integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= inside t) number
   where
     inside t n = if low <= n && n <= high then Right n else Left (OutOfRange t)
-
-showInt :: Int -> Text
-showInt = Text.pack . show
 
 -- | Whether a value of one real number goes on after it with a comma and a digit.
 decimalsBehindComma :: Expectation -> Value -> Maybe Text
@@ -120,17 +125,17 @@ decimalsBehindComma expectation value = case (expectation, tokens value) of
 
 -- | Three real numbers.
 vectorForm :: Form Vector
-vectorForm = Form AVector vector3 showVector
+vectorForm = Form AVector vector3 (Just . vectorText)
 
 -- | Three real numbers that make a vector of at least 'smallestLength'.
 directionForm :: Form Vector
-directionForm = Form ADirection reads' showVector
+directionForm = Form ADirection reads' (Just . vectorText)
   where
     reads' value = vector3 value >>= \v -> if modulus v < smallestLength then Left (valueSpan value, ZeroVector) else Right v
 
 -- | Three real numbers, none of them zero.
 scaleForm :: Form Vector
-scaleForm = Form AVectorWithoutZero reads' showVector
+scaleForm = Form AVectorWithoutZero reads' (Just . vectorText)
   where
     reads' value = vector3 value >>= \v -> if 0 `elem` v then Left (valueSpan value, ZeroComponent) else Right v
 
@@ -139,12 +144,9 @@ vector3 value = case tokens value of
   [x, y, z] -> V3 <$> at x real <*> at y real <*> at z real
   others -> Left (wrongCount value 3 others)
 
-showVector :: Vector -> Text
-showVector (V3 x y z) = list "[" "]" [x, y, z]
-
 -- | Two real numbers.
 textureForm :: Form (V2 Double)
-textureForm = Form TwoCoordinates reads' (\(V2 u v) -> list "[" "]" [u, v])
+textureForm = Form TwoCoordinates reads' (Just . vectorText)
   where
     reads' value = case tokens value of
       [u, v] -> V2 <$> at u real <*> at v real
@@ -152,7 +154,7 @@ textureForm = Form TwoCoordinates reads' (\(V2 u v) -> list "[" "]" [u, v])
 
 -- | A name, a name and an alpha, three channels, or three channels and an alpha.
 colourForm :: Form Colour
-colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> list "[ " " ]" [r, g, b, a])
+colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just ("[ " <> Text.intercalate ", " (map showReal [r, g, b, a]) <> " ]"))
   where
     reads' value = case tokens value of
       [name] -> at name byName
@@ -162,9 +164,6 @@ colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> list "[
       others -> Left (wrongCount value 4 others)
     byName t = maybe (Left (NoSuchChoice t (suggest (map fst names) t))) Right (named t)
     channel t = real t >>= \x -> if x >= 0 then Right x else Left (OutOfRange t)
-
-list :: Text -> Text -> [Double] -> Text
-list open close xs = open <> Text.intercalate ", " (map showReal xs) <> close
 
 -- | Too few tokens are a fault of the whole value; too many, of those that are too many.
 wrongCount :: Value -> Int -> [Token] -> (Span, Refusal)
@@ -186,11 +185,9 @@ commaInNumber t = or (zipWith both (Text.splitOn "," t) (drop 1 (Text.splitOn ",
 
 -- | One of some words, in any case, or its number counted from 0; written as the word.
 choice :: Eq v => [(Text, v)] -> Form v
-choice options = scalar (AChoice (map fst options)) reads' (maybe "" fst . lookupValue)
+choice options = Form (AChoice (map fst options)) (first reads') wordFor
   where
-    lookupValue v = case filter ((== v) . snd) options of
-      found : _ -> Just found
-      [] -> Nothing
+    wordFor v = listToMaybe [word | (word, w) <- options, w == v]
     reads' t = case lookup (Text.toLower t) options of
       Just v -> Right v
       Nothing -> case integer t of
@@ -220,6 +217,14 @@ booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
 text :: Form Text
 text = textThat SomeText (const Nothing)
 
+-- | The name of a file that the program reads. The word @none@, so spelt, stands for no file: what is read, checked and
+-- written knows it here only.
+fileName :: Form (Maybe Text)
+fileName = Form SomeText (fmap meant . formRead text) (Just . fromMaybe none)
+  where
+    meant t = if t == none then Nothing else Just t
+    none = "none"
+
 -- | The name of a file that the program writes: no folder, no control character.
 outputName :: Form Text
 outputName = textThat AnOutputName unsafe
@@ -237,7 +242,7 @@ unsafe t
   | otherwise = Nothing
 
 textThat :: Expectation -> (Text -> Maybe Refusal) -> Form Text
-textThat expectation refuses = Form expectation reads' id
+textThat expectation refuses = Form expectation reads' Just
   where
     reads' (Value place t)
       | Text.null t = Left (place, NothingThere)
@@ -245,8 +250,8 @@ textThat expectation refuses = Form expectation reads' id
 
 -- | The same form, written with a unit after it (which reading ignores).
 withUnit :: Text -> Form v -> Form v
-withUnit unitName form = form {formShow = \v -> formShow form v <> " " <> unitName}
+withUnit unitName form = form {formShow = fmap (<> " " <> unitName) . formShow form}
 
 -- | The same form for a value that need not be there. There is nothing to write where it is not.
 optionally :: Form v -> Form (Maybe v)
-optionally form = Form (formExpectation form) (fmap Just . formRead form) (maybe "" (formShow form))
+optionally form = Form (formExpectation form) (fmap Just . formRead form) (>>= formShow form)

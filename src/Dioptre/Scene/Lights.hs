@@ -3,6 +3,20 @@
 -- |
 -- Module      : Dioptre.Scene.Lights
 -- Description : The lights of the scene language
+--
+-- One schema for each light: its words, their forms, and when there is such a light. Lights have much in common (all
+-- that shine from a place have a colour, an amplification and attenuators; all that are waves have a wavelength
+-- besides), so that they share one kind of draft, of which each reads and writes its part.
+--
+-- > ambient_light                color
+-- > directional_light            color  orientation
+-- > point_light                  color  position  amplification, attenuators
+-- > linear_aperture_light        color  two positions  ..., wave
+-- > rectangular_aperture_light   color  position  ..., wave, aperture
+-- > elliptical_aperture_light    the same
+-- > aperture_mask_light          the same, and a mask
+--
+-- Specification: chapter 3.
 module Dioptre.Scene.Lights
   ( readLight,
     writeLight,
@@ -17,9 +31,9 @@ import Dioptre.Light.Light
 import Dioptre.Light.Wave (mostOscillators, oscillatorGrid)
 import Dioptre.Math.Tolerance (smallestLength)
 import Dioptre.Math.Vector (Point, Vector, cross, modulus)
-import Dioptre.Scene.Form (colourForm, count, positive, realFrom, text, vectorForm, withUnit)
+import Dioptre.Scene.Form (colourForm, count, fileName, positive, realFrom, vectorForm, withUnit)
+import Dioptre.Scene.Reporting (Check)
 import Dioptre.Scene.Schema
-import Dioptre.Scene.Shapes (readShape, writeShape)
 import Dioptre.Source.Diagnostic (Expectation, Flaw (..))
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -40,7 +54,7 @@ readLight block = case headKeyword (blockHead block) of
   _ -> pure Nothing
   where
     through :: Schema a Light -> Check (Maybe Light)
-    through schema = readObject readShape schema block
+    through schema = readObject schema block
 
 -- | A light in the scene language.
 writeLight :: Light -> Outline
@@ -54,7 +68,7 @@ writeLight source = case source of
   PlanarAperture (Mask _) _ _ _ -> write maskSchema
   where
     write :: Schema a Light -> Outline
-    write schema = writeObject writeShape schema source
+    write schema = writeObject schema source
 
 -- | Every light's word with its properties: their words, what they expect, their defaults.
 describeLights :: [(Keyword, [([Keyword], Expectation, [Text])])]
@@ -79,7 +93,7 @@ data Draft = Draft
     draftWave :: Wave,
     draftEnds :: (Point, Point),
     draftAperture :: Aperture,
-    draftMask :: Text
+    draftMask :: Maybe Text
   }
 
 defaultDraft :: Draft
@@ -91,7 +105,7 @@ defaultDraft =
       draftWave = Wave 550 10 2,
       draftEnds = (0, V3 0 0.0001 0),
       draftAperture = Aperture 0.001 0.001 (V3 0 0 1) (V3 0 1 0),
-      draftMask = "none"
+      draftMask = Nothing
     }
 
 light :: Keyword -> [Property Draft] -> (Draft -> Either Flaw Light) -> Schema Draft Light
@@ -104,7 +118,7 @@ open l = case l of
   PointLight lamp -> defaultDraft {draftLamp = lamp}
   LinearAperture lamp wave ends -> defaultDraft {draftLamp = lamp, draftWave = wave, draftEnds = ends}
   PlanarAperture opening lamp wave aperture ->
-    defaultDraft {draftLamp = lamp, draftWave = wave, draftAperture = aperture, draftMask = case opening of Mask m -> m; _ -> "none"}
+    defaultDraft {draftLamp = lamp, draftWave = wave, draftAperture = aperture, draftMask = case opening of Mask m -> m; _ -> Nothing}
 
 ambientSchema, directionalSchema, pointSchema, linearSchema, maskSchema :: Schema Draft Light
 ambientSchema = light Keyword.AmbientLight [colour] (Right . Ambient . draftColour)
@@ -114,7 +128,7 @@ directionalSchema =
     [colour, one Keyword.Orientation vectorForm draftOrientation (\v d -> d {draftOrientation = v})]
     ( \d ->
         if modulus (draftOrientation d) < smallestLength
-          then Left ZeroOrientation
+          then Left (ZeroOrientation smallestLength)
           else Right (Directional (draftColour d) (draftOrientation d))
     )
 pointSchema = light Keyword.PointLight (lampColourProperty : lampPositionProperty : lampProperties) (fmap PointLight . buildLamp)
@@ -128,7 +142,7 @@ linearSchema =
       within draftEnds (\e d -> d {draftEnds = e}) . several (Keyword.Position :| [Keyword.Point]) vectorForm $
         Slot fst (\a (_, b) -> Right (a, b)) :| [Slot snd (\b (a, _) -> Right (a, b))]
 maskSchema =
-  light Keyword.ApertureMaskLight (apertureProperties <> [one Keyword.Mask text draftMask (\m d -> d {draftMask = m})]) $ \d ->
+  light Keyword.ApertureMaskLight (apertureProperties <> [one Keyword.Mask fileName draftMask (\m d -> d {draftMask = m})]) $ \d ->
     buildPlanar (Mask (draftMask d)) d
 
 planarSchema :: Keyword -> Opening -> Schema Draft Light
@@ -142,7 +156,7 @@ buildLamp d
 buildWave :: Draft -> Either Flaw Wave
 buildWave d
   | isVisible (draftWave d) = Right (draftWave d)
-  | otherwise = Left InvisibleWavelength
+  | otherwise = Left (InvisibleWavelength shortestVisible longestVisible)
 
 buildPlanar :: Opening -> Draft -> Either Flaw Light
 buildPlanar opening d = do

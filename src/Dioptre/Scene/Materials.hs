@@ -1,21 +1,27 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- |
 -- Module      : Dioptre.Scene.Materials
 -- Description : The materials of the scene language
+--
+-- A material is plain, or has pictures that stand in for its colours; the second has all properties of the first and
+-- three file names. Materials are known by their names, of which a scene may have two alike: the first one counts.
+--
+-- Specification: chapter 3.
 module Dioptre.Scene.Materials
   ( materialSchema,
     textureMaterialSchema,
     writeMaterial,
+    byName,
   )
 where
 
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import Data.Text (Text)
 import Dioptre.Light.Material (Material (..), Textures (..), standard)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Scene.Form (colourForm, realWithin, text)
+import Dioptre.Scene.Form (colourForm, fileName, realWithin, text)
 import Dioptre.Scene.Schema (Property, Schema (..), one, within, writeObject)
-import Dioptre.Scene.Shapes (writeShape)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline)
 
@@ -24,28 +30,27 @@ materialSchema :: Schema Material Material
 materialSchema = Schema Keyword.Material standard properties Nothing Right id
 
 -- | How it writes one with pictures.
-textureMaterialSchema :: Schema (Material, Textures) Material
-textureMaterialSchema =
-  Schema
-    Keyword.TextureMaterial
-    (standard, noTextures)
-    ( map (within fst (\m (_, ts) -> (m, ts))) properties
-        <> [ one Keyword.TextureKa text (textureKa . snd) (\t (m, ts) -> (m, ts {textureKa = t})),
-             one Keyword.TextureKd text (textureKd . snd) (\t (m, ts) -> (m, ts {textureKd = t})),
-             one Keyword.TextureKs text (textureKs . snd) (\t (m, ts) -> (m, ts {textureKs = t}))
-           ]
-    )
-    Nothing
-    (\(m, ts) -> Right m {materialTextures = Just ts})
-    (\m -> (m, fromMaybe noTextures (materialTextures m)))
+textureMaterialSchema :: Schema Material Material
+textureMaterialSchema = Schema Keyword.TextureMaterial standard {materialTextures = Just noTextures} (properties <> textures) Nothing Right id
   where
-    noTextures = Textures "none" "none" "none"
+    textures =
+      map
+        (within (fromMaybe noTextures . materialTextures) (\ts m -> m {materialTextures = Just ts}))
+        [ one Keyword.TextureKa fileName textureKa (\v ts -> ts {textureKa = v}),
+          one Keyword.TextureKd fileName textureKd (\v ts -> ts {textureKd = v}),
+          one Keyword.TextureKs fileName textureKs (\v ts -> ts {textureKs = v})
+        ]
+    noTextures = Textures Nothing Nothing Nothing
 
 -- | A material in the scene language.
 writeMaterial :: Material -> Outline
 writeMaterial m = case materialTextures m of
-  Nothing -> writeObject writeShape materialSchema m
-  Just _ -> writeObject writeShape textureMaterialSchema m
+  Nothing -> writeObject materialSchema m
+  Just _ -> writeObject textureMaterialSchema m
+
+-- | What a name means among some materials: of several of one name the first counts.
+byName :: [(Material, a)] -> Map Text a
+byName materials = Map.fromListWith (\_ first -> first) [(materialName m, a) | (m, a) <- materials]
 
 properties :: [Property Material]
 properties =

@@ -44,20 +44,24 @@ import Dioptre.Light.Material (Material (..), Textures (..))
 import qualified Dioptre.Math.Transform as Transform
 import Dioptre.Math.Vector (Point, cross, distance, dot, modulus, unit, vector, (*^))
 import Dioptre.Scene.Camera (cameraSchema, cameraSettings, defaultCamera, settingPosition, viewportHeight, viewportSchema, viewportWidth)
+import Dioptre.Scene.Form (Form (..), fileName)
 import Dioptre.Scene.Lights (readLight)
-import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
-import Dioptre.Scene.Primitive (Model (..), Primitive (..), modelSchema, primitiveSchema)
-import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, raytracerSchema)
-import Dioptre.Scene.Schema (Schema, placeOfValue, readObject, runCheck)
+import Dioptre.Scene.Materials (byName, materialSchema, textureMaterialSchema)
+import Dioptre.Scene.Model (Model (..), modelSchema)
+import Dioptre.Scene.Primitive (Primitive (..), primitiveSchema)
+import Dioptre.Scene.Raytracer (ColourNormalization (..), PixelCoordinate (..), Raytracer (..), ReflexionAlgorithm (..), Space (..), algorithmName, defaultRaytracer, mostRays, raytracerSchema)
+import Dioptre.Scene.Reporting (runCheck)
+import Dioptre.Scene.Schema (Schema, placeOfValue, readObject)
 import Dioptre.Scene.Shapes (readShape)
 import Dioptre.Source.Departure (Departure (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, sourceText)
+import Dioptre.Source.Words (isBlank)
 import Dioptre.Syntax.Keyword (Keyword, fromSpelling, spelling)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tree, Value (..))
-import Dioptre.Syntax.Value (integer, real)
+import Dioptre.Syntax.Value (integer, largestReal, real)
 import Linear.V3 (V3 (..))
 
 -- | What the original takes otherwise, in the order of the file: in a text, whose tree that is, and of which this has been said.
@@ -77,7 +81,7 @@ note place = Diagnostic place . Departs
 
 -- | The object that a block describes by itself, if it is possible.
 made :: Schema a b -> Block -> Maybe b
-made schema = fst . runCheck . readObject readShape schema
+made schema = fst . runCheck . readObject schema
 
 -- | Of objects of which a scene has one, the one that counts: the last that is possible.
 counting :: Keyword -> Schema a b -> [Object] -> Maybe (Block, b)
@@ -106,7 +110,6 @@ ofComments = outside . zip [1 ..] . Text.split (== '\n') . sourceText
         | otherwise -> outside (drop 1 (dropWhile ((/= "*/") . firstWord . snd) rest))
     firstWord = Text.takeWhile (not . isBlank) . Text.dropWhile isBlank
     place n line = let column = Text.length (Text.takeWhile isBlank line) + 1 in Span n column (column + 2)
-    isBlank c = c == ' ' || c == '\t' || c == '\f'
 
 -- | Where something is wrong, the original may go on in another way.
 ofFault :: Diagnostic -> Maybe Diagnostic
@@ -135,8 +138,8 @@ ofRefusal word refusal expectation = case refusal of
   OutOfRange t
     | AColour _ <- expectation -> Just AbandonsObject
     | fromSpelling word == Just Keyword.RefractiveIndex, Right n <- real t, n >= 0, n < 1 -> Just AdmitsZeroIndex
-  NotANumber t | admitted expectation t -> Just (ReadsNumber t)
-  TooLarge t | admitted expectation t -> Just (ReadsNumber t)
+  NotANumber t | admitted expectation t -> Just (ReadsNumber t largestReal)
+  TooLarge t | admitted expectation t -> Just (ReadsNumber t largestReal)
   _ -> Nothing
 
 -- | Whether a token is a number for Java, and one that the property would admit.
@@ -195,7 +198,7 @@ ofViewing objects =
       ofRepeated Keyword.Raytracer raytracerSchema objects,
       maybe [] (uncurry ofViewport) (counting Keyword.Viewport viewportSchema objects),
       maybe [] (uncurry ofTracer) tracer,
-      [note (placeOf Keyword.RecursiveLevel block) LacksRayLimit | Just (block, r) <- [tracer], mayExceed (raytracerRecursiveLevel r)]
+      [note (placeOf Keyword.RecursiveLevel block) (LacksRayLimit mostRays) | Just (block, r) <- [tracer], mayExceed (raytracerRecursiveLevel r)]
     ]
   where
     tracer = counting Keyword.Raytracer raytracerSchema objects
@@ -209,10 +212,10 @@ ofViewing objects =
     -- One ray for each level where surfaces mirror or let through; two for each ray where one does both.
     mayExceed level
       | any (\m -> materialKr m /= 0 && materialKt m /= 0) materials = level > doublings
-      | any (\m -> materialKr m /= 0 || materialKt m /= 0) materials = level > 2 ^ doublings
+      | any (\m -> materialKr m /= 0 || materialKt m /= 0) materials = level > mostRays
       | otherwise = False
-    -- 2^16 rays are followed for a pixel; 16 levels hold 2^16 - 1.
-    doublings = 16 :: Int
+    -- So many levels, of one ray and twice as many on each further one, hold fewer rays than are followed.
+    doublings = length (takeWhile (<= mostRays) (iterate (* 2) 2))
     materials = [m | (word, block) <- objects, Just m <- [materialOf word block]]
 
 -- | How many pixels the console program of the original draws, of a picture that may be narrower: it takes the picture for a square, and draws 101 packets of a
@@ -249,7 +252,7 @@ ofObject tracer eye textured (word, block) = case word of
   Keyword.Primitive -> maybe [] ofPrimitive (made primitiveSchema block)
   Keyword.Material -> ofMaterial
   Keyword.TextureMaterial -> ofMaterial <> concatMap (ofFileName True) [Keyword.TextureKa, Keyword.TextureKd, Keyword.TextureKs]
-  Keyword.Model -> [note (opening block) LeavesModelInPlace | Just m <- [made modelSchema block], modelFile m /= "none", modelTransform m /= Transform.identity] <> ofFileName False Keyword.File
+  Keyword.Model -> [note (opening block) LeavesModelInPlace | Just m <- [made modelSchema block], isJust (modelFile m), modelTransform m /= Transform.identity] <> ofFileName False Keyword.File
   _ -> maybe [] ofLight (fst (runCheck (readLight block))) <> ofFileName True Keyword.Mask
   where
     ofPrimitive p = case [b | Object b <- blockNodes block, isJust (fst (runCheck (readShape b)))] of
@@ -274,14 +277,14 @@ ofObject tracer eye textured (word, block) = case word of
       PointLight lamp -> ofLamp lamp
       Ambient _ -> []
       Directional _ _ -> []
-    ofLamp lamp = [note (placeOf Keyword.ConstantAttenuator block) EndsAtAttenuation | (c, _, _) <- [lampAttenuators lamp], c < tolerance]
+    ofLamp lamp = [note (placeOf Keyword.ConstantAttenuator block) (EndsAtAttenuation tolerance) | (c, _, _) <- [lampAttenuators lamp], c < tolerance]
     -- Textures and masks are pictures, models are not.
     ofFileName picture property =
       [ note (valueSpan v) departure
         | Statement (Property w v) <- blockNodes block,
           headKeyword w == Just property,
-          valueText v /= "none",
-          departure <- [KeepsBlanks | Text.stripEnd (valueText v) /= valueText v] <> [ReadsDds | picture, ".dds" `Text.isSuffixOf` Text.toLower (Text.stripEnd (valueText v))]
+          Right (Just name) <- [formRead fileName v],
+          departure <- [KeepsBlanks | Text.stripEnd name /= name] <> [ReadsDds | picture, ".dds" `Text.isSuffixOf` Text.toLower (Text.stripEnd name)]
       ]
 
 -- | The material that an object of that word is.
@@ -291,12 +294,12 @@ materialOf word = case word of
   Keyword.TextureMaterial -> made textureMaterialSchema
   _ -> const Nothing
 
--- | The names of materials that have a texture. Of several of one name the first counts.
+-- | The names of materials that have a texture.
 texturedNames :: [Object] -> Set Text
 texturedNames objects = Map.keysSet (Map.filter (maybe False hasOne . materialTextures) named)
   where
-    named = Map.fromListWith (\_ first -> first) [(materialName m, m) | (word, block) <- objects, Just m <- [materialOf word block]]
-    hasOne ts = any (/= "none") [textureKa ts, textureKd ts, textureKs ts]
+    named = byName [(m, m) | (word, block) <- objects, Just m <- [materialOf word block]]
+    hasOne ts = any isJust [textureKa ts, textureKd ts, textureKs ts]
 
 -- | What is otherwise with a shape of that word, seen from a point.
 ofShape :: Point -> Text -> Shape -> [Departure]

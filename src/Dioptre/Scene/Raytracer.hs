@@ -1,9 +1,16 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Scene.Raytracer
 -- Description : How rays are cast and shaded
+--
+-- What is to be drawn of a scene rather than what is in it: through which points of a pixel rays go, how far they
+-- branch, which terms of light are added up, and what becomes of colours that are too bright. Two properties, @task@
+-- and @space@, told the original how to work; they are read and written, and change no picture.
+--
+-- Specification: chapter 3.
 module Dioptre.Scene.Raytracer
   ( Raytracer (..),
     ReflexionAlgorithm (..),
@@ -13,11 +20,12 @@ module Dioptre.Scene.Raytracer
     raytracerSchema,
     defaultRaytracer,
     algorithmName,
+    mostRays,
   )
 where
 
 import Data.Text (Text)
-import Dioptre.Scene.Form (choice, count, formShow)
+import Dioptre.Scene.Form (choice, count)
 import Dioptre.Scene.Schema (Schema (..), one)
 import qualified Dioptre.Syntax.Keyword as Keyword
 
@@ -77,6 +85,10 @@ data ColourNormalization
 defaultRaytracer :: Raytracer
 defaultRaytracer = Raytracer 1 1 1 Blinn TopLeft LinearSpace ClampChannel 0
 
+-- | For one primary ray no more rays than this are followed, shadow rays not counted.
+mostRays :: Int
+mostRays = 65536
+
 -- | How the scene language writes a ray tracer.
 raytracerSchema :: Schema Raytracer Raytracer
 raytracerSchema =
@@ -98,11 +110,19 @@ raytracerSchema =
 
 -- | The scene language's word for an algorithm.
 algorithmName :: ReflexionAlgorithm -> Text
-algorithmName = formShow (choice algorithms)
+algorithmName = \case
+  NoLight -> "no_light"
+  AmbientOnly -> "ambient"
+  DiffuseOnly -> "diffuse"
+  PhongSpecular -> "phong_specular"
+  BlinnSpecular -> "blinn_specular"
+  NoSpecular -> "no_specular"
+  Phong -> "phong"
+  Blinn -> "blinn"
 
 -- The position of each word is the number that the scene language accepts for it.
 algorithms :: [(Text, ReflexionAlgorithm)]
-algorithms = zip ["no_light", "ambient", "diffuse", "phong_specular", "blinn_specular", "no_specular", "phong", "blinn"] [minBound ..]
+algorithms = [(algorithmName a, a) | a <- [minBound ..]]
 
 coordinates :: [(Text, PixelCoordinate)]
 coordinates = zip ["top_left", "top_right", "bottom_left", "bottom_right", "center", "random"] [minBound ..]

@@ -32,8 +32,8 @@ data Departure
     StartsFromEarlier Int
   | -- | It does not know the word.
     LacksWord Text
-  | -- | It reads that as a number.
-    ReadsNumber Text
+  | -- | It reads that as a number, of which here none is larger than that.
+    ReadsNumber Text Double
   | -- | It abandons the object at a negative colour.
     AbandonsObject
   | -- | It writes a picture into any folder.
@@ -74,12 +74,12 @@ data Departure
     EndsAtPhong Text
   | -- | It ends with an error at an alpha above 1.
     EndsAtAlpha
-  | -- | It knows no limit of rays for a pixel.
-    LacksRayLimit
+  | -- | It knows no limit of rays for a pixel, as this one is.
+    LacksRayLimit Int
   | -- | It ends with an error at a light from a row of sources.
     EndsAtRow
-  | -- | It ends with an error where the attenuation divides by nearly zero.
-    EndsAtAttenuation
+  | -- | It ends with an error where the attenuation divides by less than that.
+    EndsAtAttenuation Double
   | -- | It reads dds pictures, though wrongly.
     ReadsDds
   | -- | It looks for a file whose name ends in blanks.
@@ -121,9 +121,9 @@ departureCode = \case
   LosesHits -> "original-loses-hits"
   EndsAtPhong {} -> "original-ends-at-phong"
   EndsAtAlpha -> "original-ends-at-alpha"
-  LacksRayLimit -> "original-lacks-ray-limit"
+  LacksRayLimit {} -> "original-lacks-ray-limit"
   EndsAtRow -> "original-ends-at-row"
-  EndsAtAttenuation -> "original-ends-at-attenuation"
+  EndsAtAttenuation {} -> "original-ends-at-attenuation"
   ReadsDds -> "original-reads-dds"
   KeepsBlanks -> "original-keeps-blanks"
   WritesAs {} -> "original-writes-as"

@@ -16,7 +16,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Source.Departure (Departure (..))
 import Dioptre.Source.Language (Language, inLanguage)
-import Dioptre.Source.Quotation (number, quoted)
+import Dioptre.Source.Phrase (counted, number, quoted, showReal)
 
 -- | What the original program does.
 originally :: Language -> Departure -> Text
@@ -40,7 +40,7 @@ originally l = \case
       ["the original starts from the values of the one on line ", number n]
       ["l'original part des valeurs de celui de la ligne ", number n]
   LacksWord w -> say ["the original does not know the word ", quoted w] ["l'original ne connaît pas le mot ", quoted w]
-  ReadsNumber t -> say ["the original reads ", quoted t, " as a number"] ["l'original lit ", quoted t, " comme un nombre"]
+  ReadsNumber t _ -> say ["the original reads ", quoted t, " as a number"] ["l'original lit ", quoted t, " comme un nombre"]
   AbandonsObject ->
     say
       ["the original abandons the object here, and reads the rest of its lines as lines of what is around it"]
@@ -84,13 +84,13 @@ originally l = \case
       ["l'original place le milieu d'une taille impaire à un demi-pixel de là"]
   DrawsPart drawn whole ->
     say
-      ["the original draws ", count drawn, " of the ", count whole, " pixels as 'console', and leaves the others empty"]
-      ["l'original dessine ", count drawn, " des ", count whole, " pixels en mode 'console', et laisse les autres vides"]
+      ["the original draws ", number drawn, " of the ", number whole, " pixels as 'console', and leaves the others empty"]
+      ["l'original dessine ", number drawn, " des ", number whole, " pixels en mode 'console', et laisse les autres vides"]
   DrawsByChance -> say ["the original draws another picture on each run"] ["l'original dessine une autre image à chaque exécution"]
   StaysWithThreads n ->
     say
-      ["the original works with ", number n, if n == 1 then " thread" else " threads, which disturb lights of waves", ", and does not end by itself"]
-      ["l'original travaille avec ", number n, if n == 1 then " fil" else " fils, qui dérangent les lumières d'ondes", ", et ne se termine pas de lui-même"]
+      ["the original works with ", threads n, ", and does not end by itself"]
+      ["l'original travaille avec ", threads n, ", et ne se termine pas de lui-même"]
   LosesHits ->
     say
       ["with this, the original misses shapes with rays that run along an axis, and ends with an error at a 'geometry'"]
@@ -103,12 +103,12 @@ originally l = \case
     say
       ["the original ends with an error at an alpha above 1, under 'division_factor' and 'no_light'"]
       ["l'original s'arrête sur une erreur à un alpha au-dessus de 1, avec 'division_factor' et 'no_light'"]
-  LacksRayLimit -> say ["the original follows any number of rays for a pixel"] ["l'original suit pour un pixel n'importe quel nombre de rayons"]
+  LacksRayLimit _ -> say ["the original follows any number of rays for a pixel"] ["l'original suit pour un pixel n'importe quel nombre de rayons"]
   EndsAtRow -> say ["the original ends with an error at this light"] ["l'original s'arrête sur une erreur à cette lumière"]
-  EndsAtAttenuation ->
+  EndsAtAttenuation least ->
     say
-      ["the original ends with an error at surfaces so near to this light that the attenuation divides by less than 1.0e-10"]
-      ["l'original s'arrête sur une erreur aux surfaces si proches de cette lumière que l'atténuation divise par moins de 1.0e-10"]
+      ["the original ends with an error at surfaces so near to this light that the attenuation divides by less than ", showReal least]
+      ["l'original s'arrête sur une erreur aux surfaces si proches de cette lumière que l'atténuation divise par moins de ", showReal least]
   ReadsDds -> say ["the original reads dds pictures, though with errors"] ["l'original lit les images dds, mais avec des erreurs"]
   KeepsBlanks ->
     say
@@ -121,7 +121,7 @@ originally l = \case
       ["l'original ne transforme que les triangles plats de ce modèle\xA0: les triangles lisses restent où son fichier les met, et les autres formes disparaissent"]
   where
     say en fr = Text.concat (inLanguage l en fr)
-    count = Text.pack . show
+    threads n = counted l n ("thread", "threads, which disturb lights of waves") ("fil", "fils, qui dérangent les lumières d'ondes")
 
 -- | What this program does in such a place.
 here :: Language -> Departure -> Text
@@ -133,7 +133,8 @@ here l = \case
   KeepsOpen w _ -> say ("the object as it is before " <> quoted w) ("l'objet tel qu'il est avant " <> quoted w)
   StartsFromEarlier _ -> say "the defaults, for what is not said here" "les valeurs par défaut, pour ce qui n'est pas dit ici"
   LacksWord _ -> say "what it says" "ce qu'il dit"
-  ReadsNumber _ -> say "the value before it: numbers are decimal, up to 1.0e100" "la valeur précédente\xA0: les nombres sont décimaux, jusqu'à 1.0e100"
+  ReadsNumber _ largest ->
+    say ("the value before it: numbers are decimal, up to " <> showReal largest) ("la valeur précédente\xA0: les nombres sont décimaux, jusqu'à " <> showReal largest)
   AbandonsObject -> say "the object, with the colour before" "l'objet, avec la couleur précédente"
   WritesAnywhere -> say "the name before it: pictures go to the working directory" "le nom précédent\xA0: les images vont dans le répertoire courant"
   AdmitsZeroIndex -> say "the index before it" "l'indice précédent"
@@ -154,9 +155,9 @@ here l = \case
   LosesHits -> say "the picture that 'linear' defines" "l'image que définit 'linear'"
   EndsAtPhong _ -> say "Phong's illumination" "l'illumination de Phong"
   EndsAtAlpha -> say "an alpha of 1" "un alpha de 1"
-  LacksRayLimit -> say "65536 rays at most, and black beyond them" "65536 rayons au plus, et du noir au-delà"
+  LacksRayLimit most -> say (number most <> " rays at most, and black beyond them") (number most <> " rayons au plus, et du noir au-delà")
   EndsAtRow -> say "a row of sources" "une rangée de sources"
-  EndsAtAttenuation -> say "the light as it is, and none where it divides by zero" "la lumière telle quelle, et aucune où elle divise par zéro"
+  EndsAtAttenuation _ -> say "the light as it is, and none where it divides by zero" "la lumière telle quelle, et aucune où elle divise par zéro"
   ReadsDds -> say "nothing: dds pictures are not read" "rien\xA0: les images dds ne sont pas lues"
   KeepsBlanks -> say "the name without it" "le nom sans lui"
   WritesAs _ -> say "its own word" "son propre mot"

@@ -26,12 +26,15 @@ module Dioptre.Source.Diagnostic
     Range (..),
     Refusal (..),
     Guess (..),
+    Instead (..),
 
     -- * Objects
     Flaw (..),
     Fate (..),
     CurveFlaw (..),
     FaceFlaw (..),
+    Coordinates (..),
+    Attribute (..),
 
     -- * Files
     FileUse (..),
@@ -70,7 +73,7 @@ data Problem
   | -- | A block comment that is never closed.
     UnclosedComment
   | -- | A value that cannot be used: of which property, why, what was expected, what is used instead.
-    RefusedValue Text Refusal Expectation Text
+    RefusedValue Text Refusal Expectation Instead
   | -- | A property given more often than it can be: which, and how often it can.
     RepeatedProperty Text Int
   | -- | A second shape in an object that has one.
@@ -103,16 +106,16 @@ data Problem
     BrokenCurve CurveFlaw
   | -- | So many pieces of curves lead nowhere, as they end in the point where they start.
     PiecesWithoutLength Int
-  | -- | A vertex, texture coordinate or normal of an OBJ file that cannot be read: the word of its line (v, vt or vn), and why.
-    BadCoordinates Text Refusal
+  | -- | A vertex, texture coordinate or normal of an OBJ file that cannot be read: which of them, and why.
+    BadCoordinates Coordinates Refusal
   | -- | A face of an OBJ file that cannot be read, and why.
     BadFace FaceFlaw
   | -- | A face with a vertex that is not there: its number as written, and how many vertices stand before.
     MissingVertex Text Int
-  | -- | A face with a texture coordinate or normal that is not there: the word of those (vt or vn), its number as written, and how many stand before.
-    MissingAttribute Text Text Int
-  | -- | Faces that name texture coordinates or normals of which none stands before: the word of those, and how many faces.
-    NoAttributes Text Int
+  | -- | A face with a texture coordinate or normal that is not there: which, its number as written, and how many stand before.
+    MissingAttribute Attribute Text Int
+  | -- | Faces that name texture coordinates or normals of which none stands before: which, and how many faces.
+    NoAttributes Attribute Int
   | -- | So many triangles of a model have their corners on one line.
     CollinearTriangles Int
   | -- | A line of a model with more bytes than that, or that goes on in very many others.
@@ -209,6 +212,14 @@ data Guess
     CommaInNumber
   deriving stock (Eq, Show)
 
+-- | What a property has when its value cannot be used.
+data Instead
+  = -- | What it has where nothing is said of it: there is no way to write that.
+    TheDefault
+  | -- | This value, as the language writes it.
+    Kept Text
+  deriving stock (Eq, Show)
+
 -- | What becomes of an object that is impossible.
 data Fate
   = -- | The scene goes without it.
@@ -223,8 +234,8 @@ data Flaw
     WithoutShape
   | -- | It has no extent.
     ZeroSize
-  | -- | The normal is shorter than 1e-10.
-    ZeroNormal
+  | -- | The normal is shorter than that.
+    ZeroNormal Double
   | -- | The camera's position and what it looks at are nearer than 1e-10.
     NowhereToLook
   | -- | The camera's (or light's) up is parallel to its front.
@@ -241,12 +252,12 @@ data Flaw
     CurvatureBelowRadius
   | -- | The two faces of the lens meet inside the rim.
     LensTooThin
-  | -- | The light has no direction.
-    ZeroOrientation
+  | -- | The light has no direction: its orientation is shorter than that.
+    ZeroOrientation Double
   | -- | The three attenuators are zero.
     NoAttenuation
-  | -- | The wavelength is not visible: outside 380 to 780 nm.
-    InvisibleWavelength
+  | -- | The wavelength is not visible: it is outside of these, in nanometres.
+    InvisibleWavelength Double Double
   | -- | The picture has more pixels than that.
     TooManyPixels Int
   | -- | The light has more sources than that.
@@ -273,6 +284,18 @@ data FaceFlaw
     TooFewCorners Int
   deriving stock (Eq, Show)
 
+-- | What the numbers of a line of an OBJ file are.
+data Coordinates
+  = OfVertex
+  | OfAttribute Attribute
+  deriving stock (Eq, Show)
+
+-- | What a corner of a face can have beside its vertex.
+data Attribute
+  = TextureCoordinate
+  | Normal
+  deriving stock (Eq, Show)
+
 -- | What a file that a scene or a model names is for.
 data FileUse
   = ForTexture
@@ -294,22 +317,42 @@ data FileTrouble
 -- | How much a problem matters.
 severity :: Problem -> Severity
 severity = \case
-  Departs _ -> Note
+  UnknownWord {} -> Error
+  MisplacedWord {} -> Error
+  StrayEnd {} -> Error
+  MisspeltEnd {} -> Error
+  MissingEnd {} -> Error
+  UnclosedComment -> Error
+  RefusedValue {} -> Error
+  RepeatedProperty {} -> Error
+  SecondShape {} -> Error
+  ImpossibleObject {} -> Error
+  DecimalComma {} -> Warning
   NoMaterialName -> Note
-  ReplacedObject {} -> Note
   MissingMaterial {} -> Warning
   RepeatedMaterial {} -> Warning
-  SamplingWithoutRandom {} -> Warning
-  DecimalComma {} -> Warning
+  ReplacedObject {} -> Note
   NoModelFile -> Warning
+  UnknownModelFormat {} -> Error
+  ModelCycle {} -> Error
+  ModelTooDeep {} -> Error
+  TooManyParts {} -> Error
   DifferingUvFormat {} -> Warning
+  BrokenCurve {} -> Error
   PiecesWithoutLength {} -> Warning
-  CollinearTriangles {} -> Note
-  NoAttributes {} -> Note
+  BadCoordinates {} -> Error
+  BadFace {} -> Error
+  MissingVertex {} -> Error
   MissingAttribute {} -> Warning
-  MoreFaults {} -> Warning
+  NoAttributes {} -> Note
+  CollinearTriangles {} -> Note
+  LongLine {} -> Error
+  TooManyLibraries {} -> Error
   UnknownMaterialOfModel {} -> Warning
-  _ -> Error
+  MoreFaults {} -> Warning
+  UnusableFile {} -> Error
+  SamplingWithoutRandom {} -> Warning
+  Departs {} -> Note
 
 -- | The stable name of a kind of problem, for programs.
 --
@@ -387,7 +430,7 @@ flawCode :: Flaw -> Text
 flawCode = \case
   WithoutShape -> "no-shape"
   ZeroSize -> "zero-size"
-  ZeroNormal -> "zero-normal"
+  ZeroNormal {} -> "zero-normal"
   NowhereToLook -> "nowhere-to-look"
   UpAlongFront -> "up-along-front"
   FarBeforeNear -> "far-before-near"
@@ -396,8 +439,8 @@ flawCode = \case
   InnerBeyondOuter -> "inner-beyond-outer"
   CurvatureBelowRadius -> "curvature-below-radius"
   LensTooThin -> "lens-too-thin"
-  ZeroOrientation -> "zero-orientation"
+  ZeroOrientation {} -> "zero-orientation"
   NoAttenuation -> "no-attenuation"
-  InvisibleWavelength -> "invisible-wavelength"
+  InvisibleWavelength {} -> "invisible-wavelength"
   TooManyPixels {} -> "too-many-pixels"
   TooManyOscillators {} -> "too-many-oscillators"

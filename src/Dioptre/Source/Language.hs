@@ -4,6 +4,10 @@
 -- |
 -- Module      : Dioptre.Source.Language
 -- Description : The language that the program speaks
+--
+-- Everything that the program says it says in English or in French, each text beside its translation ('inLanguage').
+-- Which of them is decided once, in the rim: an option comes before the configuration, and that before the locale.
+-- What programs go by, such as the codes of diagnostics, is the same in both.
 module Dioptre.Source.Language
   ( Language (..),
     languageNames,

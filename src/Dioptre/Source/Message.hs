@@ -21,7 +21,7 @@ import qualified Data.Text as Text
 import Dioptre.Source.DepartureMessage (here, originally)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Language (Language, inLanguage)
-import Dioptre.Source.Quotation (number, quoted)
+import Dioptre.Source.Phrase (brief, counted, number, quoted, showReal)
 
 -- | The name of a severity.
 severityName :: Language -> Severity -> Text
@@ -91,35 +91,32 @@ message l = \case
       [quoted name, " mettrait des modèles dans des modèles sur plus de ", number n, " niveaux"]
   TooManyParts name n ->
     say
-      ["with ", quoted name, " there would be more than ", Text.pack (show n), " shapes to draw"]
-      ["avec ", quoted name, ", il y aurait plus de ", Text.pack (show n), " géométries à dessiner"]
+      ["with ", quoted name, " there would be more than ", number n, " shapes to draw"]
+      ["avec ", quoted name, ", il y aurait plus de ", number n, " géométries à dessiner"]
   DifferingUvFormat name first ->
     say
       [quoted name, " has 'uv_format ", first, "' already: that of the first model that names it"]
       [quoted name, " a déjà 'uv_format ", first, "'\xA0: celui du premier modèle qui le nomme"]
   BrokenCurve flaw -> brokenCurve l flaw
   PiecesWithoutLength n ->
-    say
-      [number n, if n == 1 then " piece of a curve ends" else " pieces of curves end", " in the point where it starts; here is the first"]
-      [number n, if n == 1 then " morceau de courbe finit" else " morceaux de courbe finissent", " au point de départ\xA0; voici le premier"]
-  BadCoordinates w refusal -> refused l w refusal
+    counted l n ("piece of a curve ends", "pieces of curves end") ("morceau de courbe finit", "morceaux de courbe finissent")
+      <> inLanguage l " in the point where it starts; here is the first" " au point de départ\xA0; voici le premier"
+  BadCoordinates what refusal -> refused l (lineWord what) refusal
   BadFace flaw -> badFace l flaw
   MissingVertex index count ->
     say
-      ["there is no vertex ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
-      ["il n'y a pas de sommet ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
-  MissingAttribute w index count ->
+      ["there is no vertex ", index, ": ", before count]
+      ["il n'y a pas de sommet ", index, "\xA0: ", before count]
+  MissingAttribute a index count ->
     say
-      ["there is no ", attribute w, " ", index, ": ", number count, if count == 1 then " stands" else " stand", " before this line"]
-      ["il n'y a pas de ", attribute w, " ", index, "\xA0: ", number count, if count <= 1 then " précède" else " précèdent", " cette ligne"]
-  NoAttributes w n ->
-    say
-      [number n, if n == 1 then " face names a " else " faces name a ", attribute w, " where none stands before; here is the first"]
-      [number n, if n == 1 then " face nomme une " else " faces nomment une ", attribute w, " alors qu'aucune ne précède\xA0; voici la première"]
+      ["there is no ", attribute a, " ", index, ": ", before count]
+      ["il n'y a pas de ", attribute a, " ", index, "\xA0: ", before count]
+  NoAttributes a n ->
+    counted l n ("face names a ", "faces name a ") ("face nomme une ", "faces nomment une ") <> attribute a
+      <> inLanguage l " where none stands before; here is the first" " alors qu'aucune ne précède\xA0; voici la première"
   CollinearTriangles n ->
-    say
-      [number n, if n == 1 then " triangle has its corners on one line" else " triangles have their corners on one line", "; here is the first"]
-      [number n, if n == 1 then " triangle a ses sommets sur une même droite" else " triangles ont leurs sommets sur une même droite", "\xA0; voici le premier"]
+    counted l n ("triangle has its", "triangles have their") ("triangle a ses", "triangles ont leurs")
+      <> inLanguage l " corners on one line; here is the first" " sommets sur une même droite\xA0; voici le premier"
   LongLine n ->
     say
       ["this line has more than ", number n, " bytes, or goes on in very many others"]
@@ -133,9 +130,11 @@ message l = \case
       ["no material library of this model has ", quoted name]
       ["aucune librairie de matériaux de ce modèle n'a ", quoted name]
   MoreFaults n ->
-    say
-      [number n, if n == 1 then " more fault is in this file: this one" else " more faults are in this file, from here on"]
-      [number n, if n == 1 then " autre faute dans ce fichier\xA0: celle-ci" else " autres fautes dans ce fichier, à partir d'ici"]
+    counted
+      l
+      n
+      ("more fault is in this file: this one", "more faults are in this file, from here on")
+      ("autre faute dans ce fichier\xA0: celle-ci", "autres fautes dans ce fichier, à partir d'ici")
   UnusableFile name _ trouble -> case trouble of
     NoSuchFile folders ->
       say
@@ -157,8 +156,18 @@ message l = \case
     meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> "?")
     folderList = Text.intercalate ", " . map Text.pack
     chain = Text.intercalate " > " . map Text.pack
+    before n = counted l n ("stands", "stand") ("précède", "précèdent") <> inLanguage l " before this line" " cette ligne"
     times n = inLanguage l (if n == 1 then "once" else number n <> " times") (number n <> " fois")
-    attribute w = if w == "vt" then inLanguage l "texture coordinate" "coordonnée de texture" else inLanguage l "normal" "normale"
+    attribute = \case
+      TextureCoordinate -> inLanguage l "texture coordinate" "coordonnée de texture"
+      Normal -> inLanguage l "normal" "normale"
+
+-- | The word that begins a line of such numbers.
+lineWord :: Coordinates -> Text
+lineWord = \case
+  OfVertex -> "v"
+  OfAttribute TextureCoordinate -> "vt"
+  OfAttribute Normal -> "vn"
 
 badFace :: Language -> FaceFlaw -> Text
 badFace l = \case
@@ -168,9 +177,7 @@ badFace l = \case
       [quoted t, " has other parts than the first corner, ", quoted first]
       [quoted t, " n'a pas les mêmes parties que le premier sommet, ", quoted first]
   TooFewCorners n ->
-    say
-      ["a face with ", number n, if n == 1 then " corner" else " corners"]
-      ["une face à ", number n, if n <= 1 then " sommet" else " sommets"]
+    inLanguage l "a face with " "une face à " <> counted l n ("corner", "corners") ("sommet", "sommets")
   where
     say en fr = Text.concat (inLanguage l en fr)
 
@@ -226,7 +233,7 @@ flawed :: Language -> Text -> Flaw -> Text
 flawed l object = \case
   WithoutShape -> say "has no shape" "n'a pas de géométrie"
   ZeroSize -> say "has no extent" "n'a pas d'étendue"
-  ZeroNormal -> say "has a normal of length zero" "a une normale de longueur nulle"
+  ZeroNormal _ -> say "has a normal of length zero" "a une normale de longueur nulle"
   NowhereToLook -> say "looks at its own position" "regarde sa propre position"
   UpAlongFront -> say "has its up along the direction of view" "a son 'up' dans la direction du regard"
   FarBeforeNear -> say "has its far clipping plane before the near one" "a son plan éloigné devant son plan rapproché"
@@ -235,9 +242,12 @@ flawed l object = \case
   InnerBeyondOuter -> say "has an inner radius greater than the outer one" "a un rayon intérieur plus grand que le rayon"
   CurvatureBelowRadius -> say "has a radius of curvature smaller than its radius" "a un rayon de courbure plus petit que son rayon"
   LensTooThin -> say "is so thin that its faces cross" "est si mince que ses faces se croisent"
-  ZeroOrientation -> say "has an orientation of length zero" "a une orientation de longueur nulle"
+  ZeroOrientation _ -> say "has an orientation of length zero" "a une orientation de longueur nulle"
   NoAttenuation -> say "has all three attenuators zero" "a ses trois atténuateurs nuls"
-  InvisibleWavelength -> say "has a wavelength that is not visible (380 to 780 nm)" "a une longueur d'onde invisible (hors de 380 à 780 nm)"
+  InvisibleWavelength low high ->
+    say
+      ("has a wavelength that is not visible (" <> brief low <> " to " <> brief high <> " nm)")
+      ("a une longueur d'onde invisible (hors de " <> brief low <> " à " <> brief high <> " nm)")
   TooManyOscillators n -> say ("has more than " <> number n <> " sources") ("a plus de " <> number n <> " sources")
   TooManyPixels n -> say ("has more than " <> number n <> " pixels") ("a plus de " <> number n <> " pixels")
   where
@@ -269,9 +279,10 @@ expected l = \case
   DifferingUvFormat {} -> Just (inLanguage l "one 'uv_format' for a file" "un seul 'uv_format' pour un fichier")
   BrokenCurve _ -> Just (inLanguage l "three lines of equally many real numbers: x, y and z" "trois lignes d'autant de nombres réels\xA0: x, y et z")
   PiecesWithoutLength _ -> Nothing
-  BadCoordinates w _ -> Just $ case w of
-    "vt" -> inLanguage l "one to three real numbers" "de un à trois nombres réels"
-    _ -> inLanguage l "three real numbers" "trois nombres réels"
+  BadCoordinates what _ -> Just $ case what of
+    OfVertex -> threeNumbers
+    OfAttribute TextureCoordinate -> inLanguage l "one to three real numbers" "de un à trois nombres réels"
+    OfAttribute Normal -> threeNumbers
   BadFace flaw -> Just $ case flaw of
     NotACorner _ -> inLanguage l "i, i/t, i//n or i/t/n: integers, counted from 1, or from -1 backwards" "i, i/t, i//n ou i/t/n\xA0: des entiers, à partir de 1, ou de -1 à rebours"
     OtherForm {} -> inLanguage l "corners of one form" "des sommets d'une même forme"
@@ -291,6 +302,7 @@ expected l = \case
   SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
   Departs _ -> Nothing
   where
+    threeNumbers = inLanguage l "three real numbers" "trois nombres réels"
     indices count
       | count == 0 = inLanguage l "its line before the faces that use it" "sa ligne avant les faces qui l'utilisent"
       | otherwise = inLanguage l ("1 to " <> number count <> ", or -1 to -" <> number count) ("1 à " <> number count <> ", ou -1 à -" <> number count)
@@ -299,7 +311,7 @@ flawExpected :: Language -> Flaw -> Maybe Text
 flawExpected l = \case
   WithoutShape -> say "one shape, such as a sphere" "une géométrie, par exemple une sphère"
   ZeroSize -> say "a size greater than zero" "une taille plus grande que zéro"
-  ZeroNormal -> say "a normal at least 1.0e-10 long" "une normale de longueur 1.0e-10 ou plus"
+  ZeroNormal least -> say ("a normal at least " <> showReal least <> " long") ("une normale de longueur " <> showReal least <> " ou plus")
   NowhereToLook -> say "'look_at' away from 'position'" "un 'look_at' autre que 'position'"
   UpAlongFront -> say "an 'up' across the direction of view" "un 'up' qui n'est pas dans la direction du regard"
   FarBeforeNear -> say "'far_clipping_plane' at least 'near_clipping_plane'" "un 'far_clipping_plane' d'au moins 'near_clipping_plane'"
@@ -308,9 +320,10 @@ flawExpected l = \case
   InnerBeyondOuter -> say "'inner_ray' from 0 to 'ray'" "un 'inner_ray' de 0 à 'ray'"
   CurvatureBelowRadius -> say "a curvature of at least 'ray' (its sign aside)" "une courbure d'au moins 'ray' (au signe près)"
   LensTooThin -> say "a thicker lens, or flatter faces" "une lentille plus épaisse, ou des faces plus plates"
-  ZeroOrientation -> say "an orientation at least 1.0e-10 long" "une orientation de longueur 1.0e-10 ou plus"
+  ZeroOrientation least -> say ("an orientation at least " <> showReal least <> " long") ("une orientation de longueur " <> showReal least <> " ou plus")
   NoAttenuation -> say "one attenuator greater than zero" "un atténuateur plus grand que zéro"
-  InvisibleWavelength -> say "'wave_length' from 380 to 780" "un 'wave_length' de 380 à 780"
+  InvisibleWavelength low high ->
+    say ("'wave_length' from " <> brief low <> " to " <> brief high) ("un 'wave_length' de " <> brief low <> " à " <> brief high)
   TooManyOscillators _ -> say "a smaller 'nb_oscillator', or a less narrow aperture" "un 'nb_oscillator' plus petit, ou une ouverture moins étroite"
   TooManyPixels _ -> say "a smaller 'width' or 'height'" "un 'width' ou un 'height' plus petit"
   where
@@ -325,8 +338,8 @@ used l = \case
   MisspeltEnd _ -> Just "end"
   MissingEnd _ _ -> say "what was read of it" "ce qui en a été lu"
   UnclosedComment -> say "nothing: the rest of the file is passed over" "rien\xA0: le reste du fichier est ignoré"
-  RefusedValue _ _ _ "" -> say "the default" "la valeur par défaut"
-  RefusedValue _ _ _ kept -> Just kept
+  RefusedValue _ _ _ TheDefault -> say "the default" "la valeur par défaut"
+  RefusedValue _ _ _ (Kept value) -> Just value
   RepeatedProperty {} -> say "the values before it" "les valeurs précédentes"
   SecondShape _ -> say "the first one" "la première"
   ImpossibleObject _ _ LeftOut -> say "nothing: it is left out" "rien\xA0: il est omis"
@@ -344,14 +357,14 @@ used l = \case
   DifferingUvFormat _ first -> Just first
   BrokenCurve _ -> say "nothing: the curve is left out" "rien\xA0: la courbe est omise"
   PiecesWithoutLength _ -> say "nothing: they are left out" "rien\xA0: ils sont omis"
-  BadCoordinates w _ -> case w of
-    "v" -> say "nothing: the faces that use this vertex are left out" "rien\xA0: les faces qui utilisent ce sommet sont omises"
-    "vt" -> Just "0.0 0.0"
-    _ -> say "the normal of the flat triangle" "la normale du triangle plat"
+  BadCoordinates what _ -> case what of
+    OfVertex -> say "nothing: the faces that use this vertex are left out" "rien\xA0: les faces qui utilisent ce sommet sont omises"
+    OfAttribute TextureCoordinate -> Just "0.0 0.0"
+    OfAttribute Normal -> say "the normal of the flat triangle" "la normale du triangle plat"
   BadFace _ -> faceLeftOut
   MissingVertex {} -> faceLeftOut
-  MissingAttribute w _ _ -> without w
-  NoAttributes w _ -> without w
+  MissingAttribute a _ _ -> without a
+  NoAttributes a _ -> without a
   CollinearTriangles _ -> say "nothing: they are left out" "rien\xA0: ils sont omis"
   LongLine _ -> say "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
   TooManyLibraries _ -> say "the ones before" "les précédentes"
@@ -365,9 +378,9 @@ used l = \case
   Departs departure -> Just (here l departure)
   where
     say en fr = Just (inLanguage l en fr)
-    without w
-      | w == "vt" = say "no texture coordinates for the face" "aucune coordonnée de texture pour la face"
-      | otherwise = say "the normals of the flat triangles" "les normales des triangles plats"
+    without = \case
+      TextureCoordinate -> say "no texture coordinates for the face" "aucune coordonnée de texture pour la face"
+      Normal -> say "the normals of the flat triangles" "les normales des triangles plats"
     faceLeftOut = say "nothing: the face is left out" "rien\xA0: la face est omise"
     modelLeftOut = say "nothing: the model is left out" "rien\xA0: le modèle est omis"
     passedOver = \case

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Source.Report
 -- Description : How diagnostics look
 --
--- Three ways to show the same diagnostics: to a person, with the line and a caret under what it is about; and to a program, as JSON.
+-- The same diagnostics for a person (the line, and a caret under what it is about), for a program (JSON), and as a
+-- count.
 --
 -- > scene.txt:12:3: error: unknown word 'sphre'; did you mean 'sphere'?  [unknown-word]
 -- >    12 |   sphre
@@ -25,8 +26,9 @@ import Data.Maybe (catMaybes)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Source.Diagnostic (Diagnostic (..), Severity (..), code, severity)
-import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Language (Language (..), inLanguage)
 import Dioptre.Source.Message (expected, message, severityName, used)
+import Dioptre.Source.Phrase (counted, number, safe)
 import Dioptre.Source.Span (Span (..), width)
 import Dioptre.Source.Text (Source, lineAt, sourceName)
 import Prettyprinter (Doc, annotate, fillSep, hang, hardline, indent)
@@ -43,7 +45,7 @@ type Style = AnsiStyle
 pretty :: Language -> Source -> Diagnostic -> Doc Style
 pretty l source (Diagnostic place problem) =
   Doc.vsep $
-    (annotate bold (Doc.pretty (clean (Text.pack (sourceName source))) <> at) <> " " <> hang 4 (annotate shade (Doc.pretty (severityName l level) <> ":") <> " " <> annotate bold (Doc.pretty (clean (message l problem)))) <> "  " <> Doc.pretty ("[" <> code problem <> "]")) :
+    (annotate bold (Doc.pretty (safe (Text.pack (sourceName source))) <> at) <> " " <> hang 4 (annotate shade (Doc.pretty (severityName l level) <> ":") <> " " <> annotate bold (Doc.pretty (safe (message l problem)))) <> "  " <> Doc.pretty ("[" <> code problem <> "]")) :
     [excerpt source place shade | width place > 0]
       <> catMaybes
         [ labelled (inLanguage l "expected:" "attendu\xA0:") <$> expected l problem,
@@ -56,14 +58,14 @@ pretty l source (Diagnostic place problem) =
       Error -> Red
       Warning -> Yellow
       Note -> Cyan
-    labelled label t = indent 6 (hang 4 (Doc.pretty (label :: Text) <> " " <> fillSep (map Doc.pretty (Text.splitOn " " (clean t)))))
+    labelled label t = indent 6 (hang 4 (Doc.pretty (label :: Text) <> " " <> fillSep (map Doc.pretty (Text.splitOn " " (safe t)))))
 
 -- | The line, and a caret under each character that the diagnostic is about. Of a long line only the part around it is shown.
 excerpt :: Source -> Span -> Style -> Doc Style
 excerpt source place shade =
-  numbered (Text.pack (show (spanLine place))) shown <> hardline <> numbered "" (Doc.pretty gap <> annotate shade (Doc.pretty carets))
+  numbered (number (spanLine place)) shown <> hardline <> numbered "" (Doc.pretty gap <> annotate shade (Doc.pretty carets))
   where
-    numbered n text = Doc.pretty (Text.justifyRight 5 ' ' n) <> " | " <> text
+    numbered label text = Doc.pretty (Text.justifyRight 5 ' ' label) <> " | " <> text
     line = lineAt source (spanLine place)
     from = if spanColumn place > 90 then spanColumn place - 40 else 1
     before = Text.take (spanColumn place - from) (Text.drop (from - 1) line)
@@ -74,20 +76,13 @@ excerpt source place shade =
     carets = Text.replicate (max 1 (min (width place) (Text.length rest))) "^"
     printable c = if isControl c && c /= '\t' then '·' else c
 
--- | Text of a file, safe to show: control characters, which could command a terminal, become dots.
-clean :: Text -> Text
-clean = Text.map (\c -> if isControl c then '·' else c)
-
 -- | A diagnostic for a program to read. Lines and columns count from 1, columns in code points; the end is exclusive. What is not there is left out.
 toJson :: Language -> FilePath -> Diagnostic -> Value
 toJson l file (Diagnostic place problem) =
   object $
     [ "file" .= file,
       "code" .= code problem,
-      "severity" .= case severity problem of
-        Error -> "error" :: Text
-        Warning -> "warning"
-        Note -> "note",
+      "severity" .= severityName English (severity problem),
       "line" .= spanLine place,
       "column" .= spanColumn place,
       "endColumn" .= spanEndColumn place,
@@ -101,13 +96,9 @@ toJson l file (Diagnostic place problem) =
 -- >>> summary English []
 -- Nothing
 summary :: Language -> [Diagnostic] -> Maybe Text
-summary l diagnostics = case [t | (level, singular, plural) <- kinds, let n = count level, n > 0, let t = Text.pack (show n) <> " " <> if n == 1 then singular else plural] of
+summary l diagnostics = case [counted l n (forms English) (forms French) | level <- [Error, Warning, Note], let n = count level; forms = named level, n > 0] of
   [] -> Nothing
   parts -> Just (Text.intercalate ", " parts)
   where
     count level = length (filter ((== level) . severity . diagnosticProblem) diagnostics)
-    kinds =
-      [ (Error, inLanguage l "error" "erreur", inLanguage l "errors" "erreurs"),
-        (Warning, inLanguage l "warning" "avertissement", inLanguage l "warnings" "avertissements"),
-        (Note, inLanguage l "note" "remarque", inLanguage l "notes" "remarques")
-      ]
+    named level language = let name = severityName language level in (name, name <> "s")

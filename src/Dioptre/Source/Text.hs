@@ -14,6 +14,7 @@ module Dioptre.Source.Text
     sourceText,
     decode,
     characters,
+    byteOrderMark,
     fromText,
     excerpts,
     lineAt,
@@ -55,7 +56,11 @@ data Lines = Whole (Vector Text) | Some (IntMap Text)
 decode :: FilePath -> ByteString -> Source
 decode name bytes = fromText name (characters (dropMark bytes))
   where
-    dropMark b = fromMaybe b (Bytes.stripPrefix "\xEF\xBB\xBF" b)
+    dropMark b = fromMaybe b (Bytes.stripPrefix byteOrderMark b)
+
+-- | What some programs put before the text of a file, to say that it is UTF-8.
+byteOrderMark :: ByteString
+byteOrderMark = "\xEF\xBB\xBF"
 
 -- | The characters of some bytes: UTF-8 if they can be, or else Latin-1.
 characters :: ByteString -> Text

@@ -33,6 +33,7 @@ import qualified Data.Text as Text
 import Data.Void (Void)
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, sourceText)
+import Dioptre.Source.Words (isBlank)
 import Dioptre.Syntax.Keyword (Role (..), fromSpelling, role)
 import Dioptre.Syntax.Spelling (isSlipOf)
 import Dioptre.Syntax.Tree
@@ -179,10 +180,6 @@ restOfLine = takeWhileP Nothing (/= '\n')
 
 endOfLine :: Parser ()
 endOfLine = void (char '\n') <|> eof
-
--- | blank = space \/ tab \/ form feed. (Line ends are line feeds by now.)
-isBlank :: Char -> Bool
-isBlank c = c == ' ' || c == '\t' || c == '\f'
 
 -- | What a parser of a part of one line reads, with its place.
 spanned :: Parser Text -> Parser (Span, Text)

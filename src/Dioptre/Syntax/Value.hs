@@ -1,4 +1,3 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
@@ -36,20 +35,14 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Void (Void)
 import Dioptre.Source.Diagnostic (Refusal (..))
+import Dioptre.Source.Phrase (showReal)
 import Dioptre.Source.Span (Span (..))
+import Dioptre.Source.Words (Token (..), isBlank)
 import Dioptre.Syntax.Tree (Value (..))
-import Numeric (showFFloat)
 import Text.Megaparsec (Parsec, eof, many, option, optional, runParser, satisfy, takeWhile1P, takeWhileP, (<|>))
 import Text.Megaparsec.Char (char)
 
 type Parser = Parsec Void Text
-
--- | One word of a value, with its place.
-data Token = Token
-  { tokenSpan :: Span,
-    tokenText :: Text
-  }
-  deriving stock (Eq, Show)
 
 -- | tokens = *separator *(token 1*separator). Total, linear.
 tokens :: Value -> [Token]
@@ -68,7 +61,7 @@ tokensRule = (,) <$> separators <*> many ((,) <$> takeWhile1P Nothing (not . isS
     separators = takeWhileP Nothing isSeparator
 
 isSeparator :: Char -> Bool
-isSeparator c = c `elem` (" \t\f,()[]<>" :: String)
+isSeparator c = isBlank c || c `elem` (",()[]<>" :: String)
 
 -- | No number of a scene is larger than this.
 largestReal :: Double
@@ -143,20 +136,6 @@ decimal whole fraction e
     -- The value is 0.significant times ten to the magnitude, and kept times ten to the power.
     magnitude = toInteger (Text.length significant - Text.length fraction) + e
     power = magnitude - toInteger (Text.length kept)
-
--- | The shortest decimal that reads back as the same number, in plain digits between 0.001 and ten million and with an
--- exponent outside; always with a point, so that it is seen to be real.
---
--- Law: @real (showReal x) == Right x@ for every x of magnitude at most 'largestReal'.
---
--- >>> map showReal [0.1, 60, 1e-10, -2.5e7]
--- ["0.1","60.0","1.0e-10","-2.5e7"]
-showReal :: Double -> Text
-showReal x
-  | x == 0 || (size >= 1e-3 && size < 1e7) = Text.pack (showFFloat Nothing x "")
-  | otherwise = Text.pack (show x)
-  where
-    size = abs x
 
 -- Note [Bounded digits]
 -- ~~~~~~~~~~~~~~~~~~~~~

@@ -15,7 +15,7 @@ import Control.Concurrent.STM (STM, TVar, atomically, check, modifyTVar', orElse
 import Control.Exception (evaluate, onException)
 import Control.Monad (forever, when)
 import Dioptre.Load (Loaded (..), loadSource)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (sceneViewport)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Source.Text (fromText)
 import Dioptre.View.Desk

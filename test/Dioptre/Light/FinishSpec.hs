@@ -36,14 +36,14 @@ spec = do
       let opaque = finish gold {materialKt = 0}
       (finishIndex opaque, finishTransparency opaque, channels (finishTint opaque)) `shouldBe` (1, 0, [0, 0, 0])
     it "names the pictures, each at its colour" $
-      picturesOf (finish (painted "a.png" "b.png" "c.png")) `shouldBe` [Just "a.png", Just "b.png", Just "c.png"]
-    it "knows none for the name none, nor for no name" $
-      picturesOf (finish (painted "none" "" "c.png")) `shouldBe` [Nothing, Nothing, Just "c.png"]
+      picturesOf (finish (painted (Just "a.png") (Just "b.png") (Just "c.png"))) `shouldBe` [Just "a.png", Just "b.png", Just "c.png"]
+    it "knows none where there is none" $
+      picturesOf (finish (painted Nothing Nothing (Just "c.png"))) `shouldBe` [Nothing, Nothing, Just "c.png"]
     it "has the colours beside the pictures" $
-      (colours (finish (painted "a.png" "b.png" "c.png")), finishTint (finish (painted "a.png" "b.png" "c.png"))) `shouldBe` (colours (finish gold), finishTint (finish gold))
+      (colours (finish (painted (Just "a.png") (Just "b.png") (Just "c.png"))), finishTint (finish (painted (Just "a.png") (Just "b.png") (Just "c.png")))) `shouldBe` (colours (finish gold), finishTint (finish gold))
 
   describe "withPictures" $ do
-    let f = finish (painted "a.png" "lost.png" "ccc.png")
+    let f = finish (painted (Just "a.png") (Just "lost.png") (Just "ccc.png"))
         look name = if name == "lost.png" then Nothing else Just (Text.length name)
     it "puts in what is found, and leaves the colour where nothing is" $ picturesOf (withPictures look f) `shouldBe` [Just 5, Nothing, Just 7]
     it "leaves everything else alone" $ do
@@ -53,7 +53,7 @@ spec = do
     it "changes nothing if every picture stays what it is" $ withPictures Just f `shouldBe` f
 
   describe "layers" $ do
-    let f = finish (painted "a.png" "" "c.png") :: Finish Text
+    let f = finish (painted (Just "a.png") Nothing (Just "c.png")) :: Finish Text
     it "are a colour and its picture" $
       [finishAmbient f, finishDiffuse f, finishSpecular f]
         `shouldBe` [Layer (Colour 0.25 0.125 0.0625 0.75) (Just "a.png"), Layer (Colour 0.5 0.25 0.125 0.75) Nothing, Layer (Colour 0.25 0.21875 0.203125 1) (Just "c.png")]
@@ -70,10 +70,10 @@ spec = do
 
   describe "hasPictures" $
     it "is so where a picture stands in for any of the three colours" $
-      map (hasPictures . finish) [gold, painted "none" "none" "", painted "a" "" "", painted "" "b" "", painted "" "" "c"] `shouldBe` [False, False, True, True, True]
+      map (hasPictures . finish) [gold, painted Nothing Nothing Nothing, painted (Just "a") Nothing Nothing, painted Nothing (Just "b") Nothing, painted Nothing Nothing (Just "c")] `shouldBe` [False, False, True, True, True]
 
   describe "the pictures of a finish, as those of a container" $
-    it "come in the order ambient, diffuse, specular" $ toList (finish (painted "a" "none" "c")) `shouldBe` ["a", "c"]
+    it "come in the order ambient, diffuse, specular" $ toList (finish (painted (Just "a") Nothing (Just "c"))) `shouldBe` ["a", "c"]
   where
     gold =
       standard
@@ -87,7 +87,7 @@ spec = do
           materialPlasticity = 0.75,
           materialRefractiveIndex = 1.5
         }
-    painted :: Text -> Text -> Text -> Material
+    painted :: Maybe Text -> Maybe Text -> Maybe Text -> Material
     painted a b c = gold {materialTextures = Just (Textures a b c)}
     layers f = [finishAmbient f, finishDiffuse f, finishSpecular f]
     channels (Colour r g b _) = [r, g, b]

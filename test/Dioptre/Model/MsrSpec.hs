@@ -7,6 +7,7 @@ where
 
 import Data.Foldable (toList)
 import Data.List (find)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Geometry.Shape (Shape (..))
@@ -16,9 +17,10 @@ import Dioptre.Light.Finish
 import Dioptre.Light.Material (Material (..))
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Msr
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (sceneMaterials, sceneModels, scenePrimitives, writeScene)
 import Dioptre.Scene.Check (Mention (..), modelWords)
-import Dioptre.Scene.Primitive (Model (..), Primitive (..))
+import Dioptre.Scene.Model (Model (..))
+import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (fromText)
@@ -78,5 +80,5 @@ spec = describe "an MSR file" $ do
 outline :: Part Mention -> Text
 outline part = case part of
   Solid (ASphere s) _ -> "ball " <> Text.pack (show (sphereRadius s))
-  Nested m -> modelFile (mentionModel m)
+  Nested m -> fromMaybe "none" (modelFile (mentionModel m))
   _ -> "something else"

@@ -43,7 +43,7 @@ spec = do
     it "goes on after a backslash, except in comments" $ do
       let (mtl, faults) = library ["# C:\\", "newmtl a", "Kd 1 \\", "  2\\", "3", "Ks 1 \\", " x 1"]
       fmap finishDiffuse (Map.lookup "a" (mtlMaterials mtl)) `shouldBe` Just (plain (rgb 1 2 3))
-      faults `shouldBe` [Diagnostic (Span 7 2 3) (RefusedValue "Ks" (NotANumber "x") AmountsOfLight "0.2 0.2 0.2")]
+      faults `shouldBe` [Diagnostic (Span 7 2 3) (RefusedValue "Ks" (NotANumber "x") AmountsOfLight (Kept "0.2 0.2 0.2"))]
     it "may have comments behind numbers" $ snd (library ["newmtl a", "Kd 1 0 0 # red", "Ka 1 # grey", "Ns 3 # dull"]) `shouldBe` []
     it "has words in one case only" $ material "a" ["newmtl a", "kd 1 1 1", "NS 9"] `shouldBe` Just unsaid
     prop "is read whatever it is" $ \(UnicodeString noise) -> length (snd (readMtl (fromText "a.mtl" (Text.pack noise)))) <= keptInFull + 1
@@ -53,16 +53,16 @@ spec = do
       let (mtl, faults) = library ["newmtl a", "Kd 1 1 1", "Kd 1 -1 1", "Kd 1 1", "Kd", "Ns -1", "Ns x", "Ns", "Ka 1 1 1e39", "map_Kd", "map_Kd -s 1", "newmtl", "Kd 0 0 0"]
       Map.toList (mtlMaterials mtl) `shouldBe` [("a", withDiffuse (plain (rgb 1 1 1)) unsaid)]
       faults
-        `shouldBe` [ Diagnostic (Span 3 6 8) (RefusedValue "Kd" (OutOfRange "-1") AmountsOfLight "1.0 1.0 1.0"),
-                     Diagnostic (Span 4 1 3) (RefusedValue "Kd" (WrongCount 3 2 NoGuess) AmountsOfLight "1.0 1.0 1.0"),
-                     Diagnostic (Span 5 1 3) (RefusedValue "Kd" NothingThere AmountsOfLight "1.0 1.0 1.0"),
-                     Diagnostic (Span 6 4 6) (RefusedValue "Ns" (OutOfRange "-1") (ARealNumber (AtLeast "0")) "5.0"),
-                     Diagnostic (Span 7 4 5) (RefusedValue "Ns" (NotANumber "x") (ARealNumber (AtLeast "0")) "5.0"),
-                     Diagnostic (Span 8 1 3) (RefusedValue "Ns" NothingThere (ARealNumber (AtLeast "0")) "5.0"),
-                     Diagnostic (Span 9 8 12) (RefusedValue "Ka" (TooLarge "1e39") AmountsOfLight "0.2 0.2 0.2"),
-                     Diagnostic (Span 10 1 7) (RefusedValue "map_Kd" NothingThere SomeText "none"),
-                     Diagnostic (Span 11 1 7) (RefusedValue "map_Kd" NothingThere SomeText "none"),
-                     Diagnostic (Span 12 1 7) (RefusedValue "newmtl" NothingThere SomeText "none")
+        `shouldBe` [ Diagnostic (Span 3 6 8) (RefusedValue "Kd" (OutOfRange "-1") AmountsOfLight (Kept "1.0 1.0 1.0")),
+                     Diagnostic (Span 4 1 3) (RefusedValue "Kd" (WrongCount 3 2 NoGuess) AmountsOfLight (Kept "1.0 1.0 1.0")),
+                     Diagnostic (Span 5 1 3) (RefusedValue "Kd" NothingThere AmountsOfLight (Kept "1.0 1.0 1.0")),
+                     Diagnostic (Span 6 4 6) (RefusedValue "Ns" (OutOfRange "-1") (ARealNumber (AtLeast "0")) (Kept "5.0")),
+                     Diagnostic (Span 7 4 5) (RefusedValue "Ns" (NotANumber "x") (ARealNumber (AtLeast "0")) (Kept "5.0")),
+                     Diagnostic (Span 8 1 3) (RefusedValue "Ns" NothingThere (ARealNumber (AtLeast "0")) (Kept "5.0")),
+                     Diagnostic (Span 9 8 12) (RefusedValue "Ka" (TooLarge "1e39") AmountsOfLight (Kept "0.2 0.2 0.2")),
+                     Diagnostic (Span 10 1 7) (RefusedValue "map_Kd" NothingThere SomeText (Kept "none")),
+                     Diagnostic (Span 11 1 7) (RefusedValue "map_Kd" NothingThere SomeText (Kept "none")),
+                     Diagnostic (Span 12 1 7) (RefusedValue "newmtl" NothingThere SomeText (Kept "none"))
                    ]
     it "of a name that is taken leaves the first" $ do
       let (mtl, faults) = library ["", "newmtl a b", "Ns 1", "newmtl a b", "Ns 2"]

@@ -39,15 +39,15 @@ spec = modifyMaxSuccess (const 400) $ do
       let o = read1 ["v 0 0 0", "v 1 x 0", "v 1 0 0", "v 0 1 0", "f 1 2 3", "f 1 3 4"]
       corners o `shouldBe` [[0, 2, 3]]
       countErrors (objCounts o) `shouldBe` 1
-      objDiagnostics o `shouldBe` [Diagnostic (Span 2 5 6) (BadCoordinates "v" (NotANumber "x"))]
+      objDiagnostics o `shouldBe` [Diagnostic (Span 2 5 6) (BadCoordinates OfVertex (NotANumber "x"))]
       Vector.any isNaN (meshPoints (objMesh o)) `shouldBe` False
     it "may be missing" $
       objDiagnostics (read1 ["v 1 2", "v", "vn 1", "vt", "vt 1", "v 1 1e39 2"])
-        `shouldBe` [ Diagnostic (Span 1 1 6) (BadCoordinates "v" (WrongCount 3 2 NoGuess)),
-                     Diagnostic (Span 2 1 2) (BadCoordinates "v" NothingThere),
-                     Diagnostic (Span 3 1 5) (BadCoordinates "vn" (WrongCount 3 1 NoGuess)),
-                     Diagnostic (Span 4 1 3) (BadCoordinates "vt" NothingThere),
-                     Diagnostic (Span 6 5 9) (BadCoordinates "v" (TooLarge "1e39"))
+        `shouldBe` [ Diagnostic (Span 1 1 6) (BadCoordinates OfVertex (WrongCount 3 2 NoGuess)),
+                     Diagnostic (Span 2 1 2) (BadCoordinates OfVertex NothingThere),
+                     Diagnostic (Span 3 1 5) (BadCoordinates (OfAttribute Normal) (WrongCount 3 1 NoGuess)),
+                     Diagnostic (Span 4 1 3) (BadCoordinates (OfAttribute TextureCoordinate) NothingThere),
+                     Diagnostic (Span 6 5 9) (BadCoordinates OfVertex (TooLarge "1e39"))
                    ]
     it "of a normal that are all zero, or bad, stand for the flat one" $
       Vector.toList (meshCornerNormals (objMesh (read1 (square <> ["vn 0 0 1", "vn 0 0 0", "vn a b c", "f 1//1 2//2 3//3", "f 1//2 2//3 3//2"])))) `shouldBe` [0, -1, -1, -1, -1, -1]
@@ -69,13 +69,13 @@ spec = modifyMaxSuccess (const 400) $ do
       Vector.toList (meshCornerUvs (objMesh o)) `shouldBe` [-1, -1, -1, 0, 0, 0]
       Vector.toList (meshCornerNormals (objMesh o)) `shouldBe` [0, 0, 0, -1, -1, -1]
       countErrors (objCounts o) `shouldBe` 2
-      objDiagnostics o `shouldBe` [Diagnostic (Span 7 9 14) (MissingAttribute "vt" "2" 1), Diagnostic (Span 8 15 21) (MissingAttribute "vn" "-2" 1)]
+      objDiagnostics o `shouldBe` [Diagnostic (Span 7 9 14) (MissingAttribute TextureCoordinate "2" 1), Diagnostic (Span 8 15 21) (MissingAttribute Normal "-2" 1)]
     it "are told of at once where the file has no normals" $ do
       let o = read1 (square <> replicate 1000 "f 1//1 2//2 3//3")
       meshSize (objMesh o) `shouldBe` 1000
       Vector.length (meshCornerNormals (objMesh o)) `shouldBe` 0
       countErrors (objCounts o) `shouldBe` 1000
-      objDiagnostics o `shouldBe` [Diagnostic (Span 5 3 7) (NoAttributes "vn" 1000)]
+      objDiagnostics o `shouldBe` [Diagnostic (Span 5 3 7) (NoAttributes Normal 1000)]
     it "have corners of one form" $
       objDiagnostics (read1 (square <> ["vt 0 0", "f 1/1 2 3/1", "f 1 2 3/1"]))
         `shouldBe` [Diagnostic (Span 6 7 8) (BadFace (OtherForm "2" "1/1")), Diagnostic (Span 7 7 10) (BadFace (OtherForm "3/1" "1"))]
@@ -108,7 +108,7 @@ spec = modifyMaxSuccess (const 400) $ do
     it "may have no name" $ do
       let o = read1 (square <> ["usemtl a", "usemtl", "f 1 2 3"])
       map namedText (objMaterials o) `shouldBe` ["default"]
-      objDiagnostics o `shouldBe` [Diagnostic (Span 6 1 7) (RefusedValue "usemtl" NothingThere SomeText "default")]
+      objDiagnostics o `shouldBe` [Diagnostic (Span 6 1 7) (RefusedValue "usemtl" NothingThere SomeText (Kept "default"))]
     it "have names in any alphabet" $
       map namedText (objMaterials (read1 (square <> ["usemtl doré", "f 1 2 3"]))) `shouldBe` [Text.decodeLatin1 "dor\xe9"]
     it "come from libraries, of which a line names one or several" $

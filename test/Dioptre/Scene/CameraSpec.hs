@@ -6,7 +6,7 @@ module Dioptre.Scene.CameraSpec
 where
 
 import Dioptre.Math.Vector (vector)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (sceneCamera, sceneViewport)
 import Dioptre.Scene.Camera
 import Dioptre.Source.Diagnostic (Flaw (..))
 import Laws.Reading

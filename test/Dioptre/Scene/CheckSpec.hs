@@ -16,11 +16,11 @@ import Dioptre.Geometry.Sphere (sphereCentre, sphereRadius)
 import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleNormals, smoothTriangleUvs, triangleNormal, trianglePoints)
 import Dioptre.Light.Material (Material (..))
 import Dioptre.Math.Vector (vector)
-import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera
 import Dioptre.Scene.Check (sceneWords)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (defaultRaytracer)
+import Dioptre.Scene.Unchecked (Scene (..))
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (allSpellings, fromSpelling, role, spelling)
@@ -203,13 +203,13 @@ shapes = describe "a shape" $ do
   it "is missed in a primitive and in a geometry, and told once" $ do
     primitive ["material_name none"] `saysOf` [at 1 1 10 (ImpossibleObject "primitive" WithoutShape LeftOut)]
     primitive ["material_name none", "geometry", "end"] `saysOf` [at 3 1 9 (ImpossibleObject "geometry" WithoutShape LeftOut)]
-    primitive ["material_name none", "sphere", "ray -1", "end"] `saysOf` [at 4 5 7 (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (AtLeast "1.0e-10")) "1.0")]
-    primitive ["material_name none", "plane", "normal 0 0 0", "end"] `saysOf` [at 3 1 6 (ImpossibleObject "plane" ZeroNormal LeftOut)]
+    primitive ["material_name none", "sphere", "ray -1", "end"] `saysOf` [at 4 5 7 (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (AtLeast "1.0e-10")) (Kept "1.0"))]
+    primitive ["material_name none", "plane", "normal 0 0 0", "end"] `saysOf` [at 3 1 6 (ImpossibleObject "plane" (ZeroNormal 1e-10) LeftOut)]
   it "keeps the values before those that are refused" $ do
     let text = primitive ["material_name none", "sphere", "ray 2", "ray 0", "position 1 2 3", "position 1 2", "end"]
     text
-      `saysOf` [ at 5 5 6 (RefusedValue "ray" (OutOfRange "0") (ARealNumber (AtLeast "1.0e-10")) "2.0"),
-                 at 7 10 13 (RefusedValue "position" (WrongCount 3 2 NoGuess) AVector "[1.0, 2.0, 3.0]")
+      `saysOf` [ at 5 5 6 (RefusedValue "ray" (OutOfRange "0") (ARealNumber (AtLeast "1.0e-10")) (Kept "2.0")),
+                 at 7 10 13 (RefusedValue "position" (WrongCount 3 2 NoGuess) AVector (Kept "[1.0, 2.0, 3.0]"))
                ]
     [(sphereCentre s, sphereRadius s) | ASphere s <- shapesOf text] `shouldBe` [(V3 1 2 3, 2)]
   it "of three points takes them as they come, and no fourth" $ do
@@ -219,7 +219,7 @@ shapes = describe "a shape" $ do
   it "counts a point that is refused" $ do
     let text = primitive ["material_name none", "triangle", "point 0 0 5", "point x 0 5", "point 0 1 5", "point 0 0 7", "end"]
     text
-      `saysOf` [ at 5 7 8 (RefusedValue "point" (NotANumber "x") AVector "[0.0, 1.0, 0.0]"),
+      `saysOf` [ at 5 7 8 (RefusedValue "point" (NotANumber "x") AVector (Kept "[0.0, 1.0, 0.0]")),
                  at 7 1 6 (RepeatedProperty "point" 3)
                ]
     [trianglePoints t | ATriangle t <- shapesOf text] `shouldBe` [Corners (V3 0 0 5) (V3 0 1 0) (V3 0 1 5)]
@@ -234,11 +234,11 @@ shapes = describe "a shape" $ do
     [lensCurvatures l | ALens l <- shapesOf text] `shouldBe` [(2, -3)]
   it "refuses the second end of an axis that is the first again" $ do
     let text = primitive ["material_name none", "tube", "point 1 0 0", "point 1 0 0", "end"]
-    text `saysOf` [at 5 7 12 (RefusedValue "point" SamePoint AVector "[0.0, 0.0, 1.0]")]
+    text `saysOf` [at 5 7 12 (RefusedValue "point" SamePoint AVector (Kept "[0.0, 0.0, 1.0]"))]
     [ends r | ATube r <- shapesOf text] `shouldBe` [(V3 1 0 0, V3 0 0 1)]
   it "has the flat normal at the corners of a smooth triangle that have none" $ do
     let text = primitive ["material_name none", "btriangle", "point 0 0 5", "point 1 0 5", "point 0 1 5", "normal 1 0 1", "normal 0 0 0", "uv 0.5 0.25", "end"]
-    text `saysOf` [at 8 8 13 (RefusedValue "normal" ZeroVector ADirection "")]
+    text `saysOf` [at 8 8 13 (RefusedValue "normal" ZeroVector ADirection TheDefault)]
     [smoothTriangleNormals t | ASmoothTriangle t <- shapesOf text] `shouldBe` [Corners (V3 1 0 1) (V3 0 0 1) (V3 0 0 1)]
     [smoothTriangleUvs t | ASmoothTriangle t <- shapesOf text] `shouldBe` [Corners (V2 0.5 0.25) 0 0]
   it "is turned as its points are" $
@@ -279,35 +279,35 @@ values :: Spec
 values = describe "a value" $ do
   it "that is missing is told at its word" $ do
     ["camera", "  angle", "position  ", "up ,()", "end"]
-      `saysOf` [ at 2 3 8 (RefusedValue "angle" NothingThere (ARealNumber (Between "10.0" "170.0")) "60.0 degrees"),
-                 at 3 1 9 (RefusedValue "position" NothingThere AVector "[0.0, 0.0, 0.0]"),
-                 at 4 4 7 (RefusedValue "up" NothingThere AVector "[0.0, 1.0, 0.0]")
+      `saysOf` [ at 2 3 8 (RefusedValue "angle" NothingThere (ARealNumber (Between "10.0" "170.0")) (Kept "60.0 degrees")),
+                 at 3 1 9 (RefusedValue "position" NothingThere AVector (Kept "[0.0, 0.0, 0.0]")),
+                 at 4 4 7 (RefusedValue "up" NothingThere AVector (Kept "[0.0, 1.0, 0.0]"))
                ]
     ["material", "name ", "color", "end"]
-      `saysOf` [at 2 1 5 (RefusedValue "name" NothingThere SomeText "none"), at 3 1 6 (RefusedValue "color" NothingThere (AColour colours) "[ 1.0, 1.0, 1.0, 1.0 ]")]
+      `saysOf` [at 2 1 5 (RefusedValue "name" NothingThere SomeText (Kept "none")), at 3 1 6 (RefusedValue "color" NothingThere (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]"))]
   it "that is no number is told where it stands" $
     ["camera", "angle\t 60degrees", "position [1.0,  1.O, 2.0]", "end"]
-      `saysOf` [ at 2 8 17 (RefusedValue "angle" (NotANumber "60degrees") (ARealNumber (Between "10.0" "170.0")) "60.0 degrees"),
-                 at 3 17 20 (RefusedValue "position" (NotANumber "1.O") AVector "[0.0, 0.0, 0.0]")
+      `saysOf` [ at 2 8 17 (RefusedValue "angle" (NotANumber "60degrees") (ARealNumber (Between "10.0" "170.0")) (Kept "60.0 degrees")),
+                 at 3 17 20 (RefusedValue "position" (NotANumber "1.O") AVector (Kept "[0.0, 0.0, 0.0]"))
                ]
   it "is told in the case in which its word is written" $
-    ["camera", "ANGLE x", "end"] `saysOf` [at 2 7 8 (RefusedValue "ANGLE" (NotANumber "x") (ARealNumber (Between "10.0" "170.0")) "60.0 degrees")]
+    ["camera", "ANGLE x", "end"] `saysOf` [at 2 7 8 (RefusedValue "ANGLE" (NotANumber "x") (ARealNumber (Between "10.0" "170.0")) (Kept "60.0 degrees"))]
   it "that is no integer, or too large a one, is told" $
     ["raytracer", "sampling 2.0", "task 3000000000", "seed -1", "recursive_level 0", "end"]
-      `saysOf` [ at 2 10 13 (RefusedValue "sampling" (NotAnInteger "2.0") (AnInteger (AtLeast "1")) "1"),
-                 at 3 6 16 (RefusedValue "task" (TooLarge "3000000000") (AnInteger (AtLeast "1")) "1"),
-                 at 4 6 8 (RefusedValue "seed" (OutOfRange "-1") (AnInteger (AtLeast "0")) "0"),
-                 at 5 17 18 (RefusedValue "recursive_level" (OutOfRange "0") (AnInteger (AtLeast "1")) "1")
+      `saysOf` [ at 2 10 13 (RefusedValue "sampling" (NotAnInteger "2.0") (AnInteger (AtLeast "1")) (Kept "1")),
+                 at 3 6 16 (RefusedValue "task" (TooLarge "3000000000") (AnInteger (AtLeast "1")) (Kept "1")),
+                 at 4 6 8 (RefusedValue "seed" (OutOfRange "-1") (AnInteger (AtLeast "0")) (Kept "0")),
+                 at 5 17 18 (RefusedValue "recursive_level" (OutOfRange "0") (AnInteger (AtLeast "1")) (Kept "1"))
                ]
   it "above 1e100 is told" $
-    ["camera", "position 0 -1e101 0", "end"] `saysOf` [at 2 12 18 (RefusedValue "position" (TooLarge "-1e101") AVector "[0.0, 0.0, 0.0]")]
+    ["camera", "position 0 -1e101 0", "end"] `saysOf` [at 2 12 18 (RefusedValue "position" (TooLarge "-1e101") AVector (Kept "[0.0, 0.0, 0.0]"))]
   it "of too many numbers is told at the first too many" $ do
     ["camera", "position 1 2 3 4 5", "look_at 1 2 3 # here", "up 1,5 0 0", "end"]
-      `saysOf` [ at 2 16 17 (RefusedValue "position" (WrongCount 3 5 NoGuess) AVector "[0.0, 0.0, 0.0]"),
-                 at 3 15 16 (RefusedValue "look_at" (WrongCount 3 5 CommentBehind) AVector "[0.0, 0.0, 1.0]"),
-                 at 4 10 11 (RefusedValue "up" (WrongCount 3 4 CommaInNumber) AVector "[0.0, 1.0, 0.0]")
+      `saysOf` [ at 2 16 17 (RefusedValue "position" (WrongCount 3 5 NoGuess) AVector (Kept "[0.0, 0.0, 0.0]")),
+                 at 3 15 16 (RefusedValue "look_at" (WrongCount 3 5 CommentBehind) AVector (Kept "[0.0, 0.0, 1.0]")),
+                 at 4 10 11 (RefusedValue "up" (WrongCount 3 4 CommaInNumber) AVector (Kept "[0.0, 1.0, 0.0]"))
                ]
-    ["material", "color 1 1 1 1 1", "end"] `saysOf` [at 2 15 16 (RefusedValue "color" (WrongCount 4 5 NoGuess) (AColour colours) "[ 1.0, 1.0, 1.0, 1.0 ]")]
+    ["material", "color 1 1 1 1 1", "end"] `saysOf` [at 2 15 16 (RefusedValue "color" (WrongCount 4 5 NoGuess) (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]"))]
   it "of one number that stops at a comma is read, with a warning" $
     for_ [("20,5", [at 2 7 11 (DecimalComma "angle" "20")]), ("20, 5", []), ("20 ,5", []), ("20.5, degrees", [])] $ \(value, wanted) -> do
       let text = ["camera", "angle " <> value, "end"]
@@ -315,25 +315,25 @@ values = describe "a value" $ do
       settingAngle (cameraOf text) `shouldSatisfy` (`elem` [20, 20.5])
   it "that is no colour is told" $
     ["material", "color rde", "color 1 -0.5 1", "color blue 2 3", "color red x", "end"]
-      `saysOf` [ at 2 7 10 (RefusedValue "color" (NoSuchChoice "rde" (Just "red")) (AColour colours) "[ 1.0, 1.0, 1.0, 1.0 ]"),
-                 at 3 9 13 (RefusedValue "color" (OutOfRange "-0.5") (AColour colours) "[ 1.0, 1.0, 1.0, 1.0 ]"),
-                 at 4 7 11 (RefusedValue "color" (NotANumber "blue") (AColour colours) "[ 1.0, 1.0, 1.0, 1.0 ]"),
-                 at 5 11 12 (RefusedValue "color" (NotANumber "x") (AColour colours) "[ 1.0, 1.0, 1.0, 1.0 ]")
+      `saysOf` [ at 2 7 10 (RefusedValue "color" (NoSuchChoice "rde" (Just "red")) (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
+                 at 3 9 13 (RefusedValue "color" (OutOfRange "-0.5") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
+                 at 4 7 11 (RefusedValue "color" (NotANumber "blue") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
+                 at 5 11 12 (RefusedValue "color" (NotANumber "x") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]"))
                ]
   it "that is negative leaves the object as it was" $
     map materialKd (sceneMaterials (sceneOf ["material", "name a", "color -1 0 0", "kd 0.25", "end"])) `shouldBe` [0.25]
   it "that is none of the words, or no number of one, is told" $ do
     ["raytracer", "space voxle", "pixel_coordinate 6", "color_normalization -1", "end"]
-      `saysOf` [ at 2 7 12 (RefusedValue "space" (NoSuchChoice "voxle" (Just "voxel")) (AChoice ["linear", "voxel", "multi_voxel"]) "linear"),
-                 at 3 18 19 (RefusedValue "pixel_coordinate" (OutOfRange "6") (AChoice ["top_left", "top_right", "bottom_left", "bottom_right", "center", "random"]) "top_left"),
-                 at 4 21 23 (RefusedValue "color_normalization" (OutOfRange "-1") (AChoice ["clamp_channel", "division_factor"]) "clamp_channel")
+      `saysOf` [ at 2 7 12 (RefusedValue "space" (NoSuchChoice "voxle" (Just "voxel")) (AChoice ["linear", "voxel", "multi_voxel"]) (Kept "linear")),
+                 at 3 18 19 (RefusedValue "pixel_coordinate" (OutOfRange "6") (AChoice ["top_left", "top_right", "bottom_left", "bottom_right", "center", "random"]) (Kept "top_left")),
+                 at 4 21 23 (RefusedValue "color_normalization" (OutOfRange "-1") (AChoice ["clamp_channel", "division_factor"]) (Kept "clamp_channel"))
                ]
   it "of a scale has no zero in it" $
     primitive ["material_name none", "geometry", "scale 1 0 1", "sphere", "end", "end"]
-      `saysOf` [at 4 7 12 (RefusedValue "scale" ZeroComponent AVectorWithoutZero "[1.0, 1.0, 1.0]")]
+      `saysOf` [at 4 7 12 (RefusedValue "scale" ZeroComponent AVectorWithoutZero (Kept "[1.0, 1.0, 1.0]"))]
   it "of a picture's name leads nowhere else" $
     for_ ["../x", "a\\b", "/x", "a\ESCb", "a\0"] $ \name ->
-      ["viewport", "image_file_name " <> name, "end"] `saysOf` [at 2 17 (17 + Text.length name) (RefusedValue "image_file_name" UnsafeName AnOutputName "image")]
+      ["viewport", "image_file_name " <> name, "end"] `saysOf` [at 2 17 (17 + Text.length name) (RefusedValue "image_file_name" UnsafeName AnOutputName (Kept "image"))]
   it "may be at the ends of its range, and no farther" $
     for_
       [ ("camera", "angle", "10", "170", "9.999", "170.001"),
@@ -387,22 +387,22 @@ flaws = describe "an object that its values do not make" $ do
         (UpAlongFront, Superseded, "camera", ["up 0 0 0"]),
         (FarBeforeNear, Superseded, "camera", ["near_clipping_plane 5", "far_clipping_plane 4.99"]),
         (TooManyPixels mostPixels, Superseded, "viewport", ["width 2147483647", "height 2147483647"]),
-        (ZeroOrientation, LeftOut, "directional_light", ["orientation 0 0 0.5e-10"]),
+        (ZeroOrientation 1e-10, LeftOut, "directional_light", ["orientation 0 0 0.5e-10"]),
         (NoAttenuation, LeftOut, "point_light", ["constant_attenuator 0"]),
         (NoAttenuation, LeftOut, "lumiere_ponctuelle", ["constant_attenuator 0", "linear_attenuator 1", "linear_attenuator 0"]),
-        (InvisibleWavelength, LeftOut, "linear_aperture_light", ["wave_length 379.99 nm"]),
-        (InvisibleWavelength, LeftOut, "aperture_mask_light", ["wave_length 780.01"]),
+        (InvisibleWavelength 380 780, LeftOut, "linear_aperture_light", ["wave_length 379.99 nm"]),
+        (InvisibleWavelength 380 780, LeftOut, "aperture_mask_light", ["wave_length 780.01"]),
         (TooManyOscillators 1000000, LeftOut, "linear_aperture_light", ["nb_oscillator 1000001"]),
         (TooManyOscillators 1000000, LeftOut, "rectangular_aperture_light", ["nb_oscillator 1001"]),
         (UpAlongFront, LeftOut, "elliptical_aperture_light", ["front 0 1 0"]),
         (UpAlongFront, LeftOut, "rectangular_aperture_light", ["up 0 0 0"])
       ]
     impossibleShapes =
-      [ (ZeroNormal, "plane", ["normal 0 0 0.9e-10"]),
-        (ZeroNormal, "disque", ["normale 0 0 0"]),
-        (ZeroNormal, "annulus", ["normal 0 0 0"]),
-        (ZeroNormal, "tore", ["normal 0 0 0"]),
-        (ZeroNormal, "spherical_cap", ["normal 0 0 0"]),
+      [ (ZeroNormal 1e-10, "plane", ["normal 0 0 0.9e-10"]),
+        (ZeroNormal 1e-10, "disque", ["normale 0 0 0"]),
+        (ZeroNormal 1e-10, "annulus", ["normal 0 0 0"]),
+        (ZeroNormal 1e-10, "tore", ["normal 0 0 0"]),
+        (ZeroNormal 1e-10, "spherical_cap", ["normal 0 0 0"]),
         (CollinearPoints, "triangle", ["point 0 0 0", "point 1 1 1", "point 3 3 3"]),
         (CollinearPoints, "btriangle", ["point 0 0 0", "point 0 0 0", "point 3 3 4"]),
         (EqualPoints, "tube", ["point 0 0 1"]),

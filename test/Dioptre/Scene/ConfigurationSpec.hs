@@ -43,16 +43,16 @@ spec = do
     it "keeps the value before a fault, and tells it" $
       readConfiguration ["application 4", "application 5", "application consol", "log_file -1", "log_file maybe", "viewport_image_count 1000", "viewport_image_count 1.0", "read_data ", "log_file_name x.log", "write_data a/b", "language de"]
         `shouldBe` ( (fst (readConfiguration [])) {configurationApplication = RunComparator},
-                     [ at 2 13 14 (RefusedValue "application" (OutOfRange "5") applications "comparator"),
-                       at 3 13 19 (RefusedValue "application" (NoSuchChoice "consol" (Just "console")) applications "comparator"),
-                       at 4 10 12 (RefusedValue "log_file" (OutOfRange "-1") ABoolean "true"),
-                       at 5 10 15 (RefusedValue "log_file" (NoSuchChoice "maybe" Nothing) ABoolean "true"),
-                       at 6 22 26 (RefusedValue "viewport_image_count" (OutOfRange "1000") (AnInteger (Between "0" "999")) "0"),
-                       at 7 22 25 (RefusedValue "viewport_image_count" (NotAnInteger "1.0") (AnInteger (Between "0" "999")) "0"),
-                       at 8 1 10 (RefusedValue "read_data" NothingThere SomeText "read_data_file_name.txt"),
-                       at 9 15 20 (RefusedValue "log_file_name" WrongEnding (AnOutputNameEnding ".txt") "log.txt"),
-                       at 10 12 15 (RefusedValue "write_data" UnsafeName AnOutputName "write_data_file_name.txt"),
-                       at 11 10 12 (RefusedValue "language" (NoSuchChoice "de" Nothing) (AChoice ["en", "fr", "english", "french", "anglais", "francais", "fran\231ais"]) "")
+                     [ at 2 13 14 (RefusedValue "application" (OutOfRange "5") applications (Kept "comparator")),
+                       at 3 13 19 (RefusedValue "application" (NoSuchChoice "consol" (Just "console")) applications (Kept "comparator")),
+                       at 4 10 12 (RefusedValue "log_file" (OutOfRange "-1") ABoolean (Kept "true")),
+                       at 5 10 15 (RefusedValue "log_file" (NoSuchChoice "maybe" Nothing) ABoolean (Kept "true")),
+                       at 6 22 26 (RefusedValue "viewport_image_count" (OutOfRange "1000") (AnInteger (Between "0" "999")) (Kept "0")),
+                       at 7 22 25 (RefusedValue "viewport_image_count" (NotAnInteger "1.0") (AnInteger (Between "0" "999")) (Kept "0")),
+                       at 8 1 10 (RefusedValue "read_data" NothingThere SomeText (Kept "read_data_file_name.txt")),
+                       at 9 15 20 (RefusedValue "log_file_name" WrongEnding (AnOutputNameEnding ".txt") (Kept "log.txt")),
+                       at 10 12 15 (RefusedValue "write_data" UnsafeName AnOutputName (Kept "write_data_file_name.txt")),
+                       at 11 10 12 (RefusedValue "language" (NoSuchChoice "de" Nothing) (AChoice ["en", "fr", "english", "french", "anglais", "francais", "fran\231ais"]) TheDefault)
                      ]
                    )
     it "tells words that it does not have, and reads on" $ do
@@ -84,21 +84,8 @@ spec = do
       checkConfiguration (parse (fromText "c" startingConfiguration)) `shouldBe` (Configuration RunInfo "default_scene.txt" "out.txt" "log.txt" True True 0 Nothing, [])
     it "says it line by line" $
       map (take 1 . Text.words) (Text.lines startingConfiguration) `shouldBe` map pure ["application", "read_data", "write_data", "log_file_name", "log_console", "log_file", "viewport_image_count"]
-
-  describe "a list to compare" $ do
-    it "is pairs of files" $
-      compared ["texture_comparator", "file a.txt", "fichier b c.png", "end", "Texture_Comparateur", "file d", "file e", "fin"] `shouldBe` ([("a.txt", "b c.png"), ("d", "e")], [])
-    it "tells a third file, and what has no place" $ do
-      let (pairs, ds) = compared ["texture_comparator", "file a", "file b", "file c", "ray 1", "end", "camera", "end", "file x", "end", "texture_comparator", "file d", "file e"]
-      pairs `shouldBe` [("a", "b"), ("d", "e")]
-      map (\(Diagnostic s p) -> (code p, spanLine s, spanColumn s)) ds
-        `shouldBe` [("repeated-property", 4, 1), ("misplaced-word", 5, 1), ("misplaced-word", 7, 1), ("misplaced-word", 9, 1), ("stray-end", 10, 1), ("missing-end", 11, 1)]
-    it "reads back as it was written" $
-      for_ [[], [("a", "b")], [("a b", "c.txt"), ("# x", "end"), ("none", "none")]] $ \pairs ->
-        checkComparisons (parse (fromText "c" (writeComparisons pairs))) `shouldBe` (pairs, [])
   where
     readConfiguration = checkConfiguration . parse . fromText "c" . Text.unlines
-    compared = checkComparisons . parse . fromText "c" . Text.unlines
     applications = AChoice ["none", "info", "console", "frame", "comparator"]
     clashing text = [(w, line, from, to) | Diagnostic (Span line from to) (RefusedValue w NameTaken _ _) <- snd (readConfiguration text)]
     names = ["a.txt", "A.TXT", "log.txt", "dioptre_log.txt", "write_data_file_name.txt", "dioptre_write_data_file_name.txt"] :: [Text]

@@ -6,6 +6,7 @@ module Dioptre.Scene.FormSpec
 where
 
 import Data.Foldable (for_)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Light.Colour (Colour (..))
@@ -33,8 +34,8 @@ spec = do
       prop "reads back: two coordinates" $ \(Admitted x) (Admitted y) -> readsBack textureForm (V2 x y)
       prop "reads back: a colour" $ \(Admitted r) (Admitted g) (Admitted b) (NonNegative a) -> readsBack colourForm (Colour (abs r) (abs g) (abs b) a)
       it "reads back: a choice" $ do
-        for_ [False, True] $ \b -> reads' booleanForm (formShow booleanForm b) `shouldBe` Right b
-        for_ ['a', 'b', 'c'] $ \c -> reads' letters (formShow letters c) `shouldBe` Right c
+        for_ [False, True] $ \b -> reads' booleanForm (shown booleanForm b) `shouldBe` Right b
+        for_ ['a', 'b', 'c'] $ \c -> reads' letters (shown letters c) `shouldBe` Right c
 
   describe "a form of one number" $ do
     it "reads the first token, and leaves the rest" $
@@ -78,6 +79,9 @@ spec = do
   describe "text" $ do
     it "is the rest of the line, with its blanks and all" $ map (reads' text) ["a b ", "# x", "[1]", "\233\t"] `shouldBe` map Right ["a b ", "# x", "[1]", "\233\t"]
     it "is not nothing" $ reads' text "" `shouldBe` Left NothingThere
+    it "that names a file to read is any, but for the word none" $ do
+      map (reads' fileName) ["a/b.png", "none", "None", "none ", ""] `shouldBe` [Right (Just "a/b.png"), Right Nothing, Right (Just "None"), Right (Just "none "), Left NothingThere]
+      for_ [Nothing, Just "a b"] $ \name -> reads' fileName (shown fileName name) `shouldBe` Right name
     it "that names a file to write leads nowhere else" $ do
       map (reads' outputName) ["a b.txt", "a:b", ".x"] `shouldBe` map Right ["a b.txt", "a:b", ".x"]
       for_ ["a/b", "/", "a\\b", "a\nb", "\ESC", "a\DEL", "a\128"] $ \t -> (t, reads' outputName t) `shouldBe` (t, Left UnsafeName)
@@ -90,4 +94,7 @@ reads' :: Form v -> Text -> Either Refusal v
 reads' form t = either (Left . snd) Right (formRead form (Value (Span 1 1 (1 + Text.length t)) t))
 
 readsBack :: (Eq v, Show v) => Form v -> v -> Property
-readsBack form v = reads' form (formShow form v) === Right v
+readsBack form v = reads' form (shown form v) === Right v
+
+shown :: Form v -> v -> Text
+shown form = fromMaybe "" . formShow form

@@ -9,7 +9,7 @@ import Data.Foldable (for_)
 import Data.List (sort)
 import Data.Text (Text)
 import Dioptre.Light.Light (Light)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (sceneLights)
 import Dioptre.Scene.Lights (describeLights)
 import Dioptre.Syntax.Keyword (spelling)
 import Laws.Reading

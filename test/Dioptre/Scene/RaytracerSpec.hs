@@ -8,8 +8,8 @@ where
 import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Dioptre.Scene (Scene (..))
-import Dioptre.Scene.Primitive (Model (..), UvFormat (..))
+import Dioptre.Scene (sceneModels, sceneRaytracer)
+import Dioptre.Scene.Model (Model (..), UvFormat (..))
 import Dioptre.Scene.Raytracer
 import Laws.Reading
 import Test.Hspec

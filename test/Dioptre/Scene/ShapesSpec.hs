@@ -10,7 +10,7 @@ import Data.List (sort)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Geometry.Shape (Shape)
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (scenePrimitives)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Shapes (describeShapes)
 import Dioptre.Syntax.Keyword (spelling)

@@ -37,11 +37,11 @@ spec = do
     it "names what it is about" $
       for_ [English, French] $ \l -> do
         message l (UnknownWord "sphre" [] (Just "sphere") TheLine) `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'sphre'", "'sphere'"])
-        message l (RefusedValue "ray" (OutOfRange "-1") AVector "2.0") `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'-1'", "'ray'"])
+        message l (RefusedValue "ray" (OutOfRange "-1") AVector (Kept "2.0")) `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'-1'", "'ray'"])
         message l (MissingEnd "camera" (Just ("viewport", 12))) `shouldSatisfy` (\t -> all (`Text.isInfixOf` t) ["'camera'", "'viewport'", "12"])
         used l (UnknownWord "sphre" [] Nothing (TheObject 15)) `shouldSatisfy` maybe False ("15" `Text.isInfixOf`)
-        used l (RefusedValue "ray" (OutOfRange "-1") AVector "2.0") `shouldBe` Just "2.0"
-        expected l (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (Between "10.0" "170.0")) "2.0") `shouldSatisfy` maybe False (\t -> all (`Text.isInfixOf` t) ["10.0", "170.0"])
+        used l (RefusedValue "ray" (OutOfRange "-1") AVector (Kept "2.0")) `shouldBe` Just "2.0"
+        expected l (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (Between "10.0" "170.0")) (Kept "2.0")) `shouldSatisfy` maybe False (\t -> all (`Text.isInfixOf` t) ["10.0", "170.0"])
     it "is cut short where the file is long-winded" $
       for_ [English, French] $ \l ->
         message l (UnknownWord (Text.replicate 10000 "x") [] Nothing TheLine) `shouldSatisfy` ((< 200) . Text.length)
@@ -58,8 +58,8 @@ problems =
   [UnknownWord "a" ["b"] g p | g <- [Nothing, Just "b"], p <- [TheLine, TheObject 3]]
     <> [MisplacedWord "a" o ["b"] TheLine | o <- [Nothing, Just "camera"]]
     <> [StrayEnd "end", MisspeltEnd "edn", MissingEnd "camera" Nothing, MissingEnd "camera" (Just ("model", 3)), UnclosedComment]
-    <> [RefusedValue "a" r e k | r <- refusals, e <- take 1 expectations, k <- ["", "1.0"]]
-    <> [RefusedValue "a" NothingThere e "1" | e <- expectations]
+    <> [RefusedValue "a" r e k | r <- refusals, e <- take 1 expectations, k <- [TheDefault, Kept "1.0"]]
+    <> [RefusedValue "a" NothingThere e (Kept "1") | e <- expectations]
     <> [RepeatedProperty "point" n | n <- [1, 3]]
     <> [SecondShape "primitive", DecimalComma "angle" "20"]
     <> [ImpossibleObject "camera" f d | f <- flaws, d <- [LeftOut, Superseded]]
@@ -67,11 +67,11 @@ problems =
     <> [NoModelFile, UnknownModelFormat "a.stl", ModelCycle ["a.msr", "b.msr", "a.msr"], ModelTooDeep "a.msr" 64, TooManyParts "a.msr" (2 ^ (48 :: Int)), DifferingUvFormat "a.obj" "default"]
     <> [BrokenCurve f | f <- [RowsMissing 1, RowsMissing 2, RowsDiffer 2 3, RowRefused (NotANumber "x"), RowRefused (TooLarge "1e101")]]
     <> [PiecesWithoutLength n | n <- [1, 2]]
-    <> [BadCoordinates w (NotANumber "x") | w <- ["v", "vt", "vn"]]
+    <> [BadCoordinates what (NotANumber "x") | what <- [OfVertex, OfAttribute TextureCoordinate, OfAttribute Normal]]
     <> [BadFace f | f <- [NotACorner "1/x", OtherForm "1" "1/2", TooFewCorners 1, TooFewCorners 2]]
     <> [MissingVertex "9" n | n <- [0, 1, 8]]
-    <> [MissingAttribute w "9" n | w <- ["vt", "vn"], n <- [1, 8]]
-    <> [NoAttributes w n | w <- ["vt", "vn"], n <- [1, 2]]
+    <> [MissingAttribute a "9" n | a <- [TextureCoordinate, Normal], n <- [1, 8]]
+    <> [NoAttributes a n | a <- [TextureCoordinate, Normal], n <- [1, 2]]
     <> [CollinearTriangles 1, CollinearTriangles 2, LongLine 100, TooManyLibraries 100, UnknownMaterialOfModel "gold", MoreFaults 1, MoreFaults 2]
     <> [UnusableFile "a" u t | u <- [ForTexture, ForMask, ForModel, ForMaterialLibrary], t <- [NoSuchFile ["scenes"], SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
 
@@ -82,7 +82,7 @@ refusals =
 
 flaws :: [Flaw]
 flaws =
-  [WithoutShape, ZeroSize, ZeroNormal, NowhereToLook, UpAlongFront, FarBeforeNear, CollinearPoints, EqualPoints, InnerBeyondOuter, CurvatureBelowRadius, LensTooThin, ZeroOrientation, NoAttenuation, InvisibleWavelength, TooManyPixels 5, TooManyOscillators 5]
+  [WithoutShape, ZeroSize, ZeroNormal 1e-10, NowhereToLook, UpAlongFront, FarBeforeNear, CollinearPoints, EqualPoints, InnerBeyondOuter, CurvatureBelowRadius, LensTooThin, ZeroOrientation 1e-10, NoAttenuation, InvisibleWavelength 380 780, TooManyPixels 5, TooManyOscillators 5]
 
 expectations :: [Expectation]
 expectations =

@@ -56,7 +56,7 @@ spec = do
     it "leaves out what is not there" $ do
       keys (ReplacedObject "camera" 3) `shouldBe` Just ["code", "column", "endColumn", "file", "line", "message", "severity"]
       keys (StrayEnd "end") `shouldBe` Just ["code", "column", "endColumn", "file", "line", "message", "severity", "used"]
-      keys (RefusedValue "a" NothingThere AVector "") `shouldBe` Just ["code", "column", "endColumn", "expected", "file", "line", "message", "severity", "used"]
+      keys (RefusedValue "a" NothingThere AVector TheDefault) `shouldBe` Just ["code", "column", "endColumn", "expected", "file", "line", "message", "severity", "used"]
 
   describe "a summary" $ do
     it "counts errors, warnings and notes" $ do

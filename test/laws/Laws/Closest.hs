@@ -31,10 +31,10 @@ import Dioptre.Model.Library (noModels)
 import Dioptre.Render.Closest
 import Dioptre.Render.Surface
 import Dioptre.Render.World (World, world, worldOwn, worldSize)
-import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (defaultCamera, defaultViewport)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (defaultRaytracer)
+import Dioptre.Scene.Unchecked (Scene (..))
 import Laws.Aim
 import Laws.Draw
 import Laws.Index (met)

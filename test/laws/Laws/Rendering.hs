@@ -24,7 +24,7 @@ import Dioptre.Render
 import Dioptre.Render.Row
 import Dioptre.Render.Sampling (offset)
 import Dioptre.Render.World (Extent (..))
-import Dioptre.Scene (Scene (..))
+import Dioptre.Scene (sceneLights, scenePrimitives, sceneRaytracer, sceneViewport)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Laws.Exact

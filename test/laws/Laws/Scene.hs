@@ -33,6 +33,7 @@ where
 import Control.Monad (join)
 import Data.Char (isControl, toUpper)
 import Data.Functor ((<&>))
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -52,10 +53,12 @@ import Dioptre.Light.Material
 import Dioptre.Math.Transform
 import Dioptre.Math.Vector (Vector, modulus, vector)
 import qualified Dioptre.Math.Vector as Vector
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (sceneSolids, writeScene)
 import Dioptre.Scene.Camera
+import Dioptre.Scene.Model
 import Dioptre.Scene.Primitive
 import Dioptre.Scene.Raytracer
+import Dioptre.Scene.Unchecked (Scene (..))
 import Laws.Number (admitted)
 import Laws.Reading (Reading (..), errorsOf, readBytes, readText)
 import Linear.V2 (V2 (..))
@@ -105,10 +108,11 @@ isSound s =
       check "raytracer" $
         let r = sceneRaytracer s in all (>= 1) [raytracerTask r, raytracerSampling r, raytracerRecursiveLevel r] && raytracerSeed r >= 0,
       check "materials of primitives" (all ((`elem` map materialName (sceneMaterials s)) . primitiveMaterial) (scenePrimitives s)),
+      check "solids" (sceneSolids materialName s == [(primitiveShape p, primitiveMaterial p) | p <- scenePrimitives s]),
       conjoin [check (show m) (material m) | m <- sceneMaterials s],
       conjoin [check (show l) (light l) | l <- sceneLights s],
       conjoin [check (show p) (shape (primitiveShape p)) | p <- scenePrimitives s],
-      conjoin [check (show m) (notElem 0 (transformScale (modelTransform m)) && said (modelFile m)) | m <- sceneModels s],
+      conjoin [check (show m) (notElem 0 (transformScale (modelTransform m)) && all said (modelFile m)) | m <- sceneModels s],
       check "numbers" (all (all numbers) (pieces s))
     ]
   where
@@ -123,7 +127,7 @@ isSound s =
         && all fraction [materialKa m, materialKd m, materialKs m, materialKr m, materialKt m, materialPlasticity m]
         && (0 <= materialShininess m && materialShininess m <= 200)
         && (0 < materialRefractiveIndex m && materialRefractiveIndex m <= 10)
-        && maybe True (\t -> all said [textureKa t, textureKd t, textureKs t]) (materialTextures m)
+        && maybe True (\t -> all (all said) [textureKa t, textureKd t, textureKs t]) (materialTextures m)
     lamp l = colour (lampColour l) && lampAmplification l >= 0 && let (k, k', k'') = lampAttenuators l in all (>= 0) [k, k', k''] && any (> 0) [k, k', k'']
     wave w = 380 <= waveLength w && waveLength w <= 780 && wavePeriodIteration w >= 1 && waveOscillators w >= 0
     light source = case source of
@@ -134,7 +138,7 @@ isSound s =
       PlanarAperture opening l w a ->
         lamp l && wave w && apertureWidth a >= 1e-10 && apertureHeight a >= 1e-10
           && modulus (apertureFront a) >= 1e-10
-          && (case opening of Mask m -> said m; _ -> True)
+          && (case opening of Mask m -> all said m; _ -> True)
     shape thing = case thing of
       APlane p -> onPlane p
       ADisk d -> onPlane (diskPlane d) && diskRadius d >= 1e-10
@@ -215,7 +219,7 @@ pieces s =
           [Is ["color_normalization"] (normalization (raytracerColourNormalization r))]
         ]
     ],
-    [ Sub ["model"] ([[Is ["file", "fichier"] (Verbatim (modelFile m))], [Is ["uv_format"] (uvFormat (modelUvFormat m))]] <> moved (modelTransform m))
+    [ Sub ["model"] ([[Is ["file", "fichier"] (fileNamed (modelFile m))], [Is ["uv_format"] (uvFormat (modelUvFormat m))]] <> moved (modelTransform m))
       | m <- sceneModels s
     ],
     [ Sub ["primitive"] [[Is ["material_name", "nom_materiel"] (Verbatim (primitiveMaterial p))], [shapePiece (primitiveShape p)]]
@@ -263,15 +267,19 @@ moved t =
     [Is ["translation"] (Vec (transformTranslation t))]
   ]
 
+-- | The name of a file, or the word for none.
+fileNamed :: Maybe Text -> Writing
+fileNamed = Verbatim . fromMaybe "none"
+
 materialPiece :: Material -> Piece
 materialPiece m = case materialTextures m of
   Nothing -> Sub ["material", "materiel", "color_material", "blinn_material"] properties
   Just t ->
     Sub ["texture_material", "texture_materiel"] $
       properties
-        <> [ [Is ["texture_ka"] (Verbatim (textureKa t))],
-             [Is ["texture_kd"] (Verbatim (textureKd t))],
-             [Is ["texture_ks"] (Verbatim (textureKs t))]
+        <> [ [Is ["texture_ka"] (fileNamed (textureKa t))],
+             [Is ["texture_kd"] (fileNamed (textureKd t))],
+             [Is ["texture_ks"] (fileNamed (textureKs t))]
            ]
   where
     properties =
@@ -295,7 +303,7 @@ lightPiece source = case source of
   LinearAperture l w (a, b) -> Sub ["linear_aperture_light"] ([Is ["position", "point"] (Vec a), Is ["position", "point"] (Vec b)] : lamp l <> wave w)
   PlanarAperture Rectangle l w a -> Sub ["rectangular_aperture_light"] (place l : lamp l <> wave w <> aperture a)
   PlanarAperture Ellipse l w a -> Sub ["elliptical_aperture_light"] (place l : lamp l <> wave w <> aperture a)
-  PlanarAperture (Mask m) l w a -> Sub ["aperture_mask_light"] ([Is ["mask", "masque"] (Verbatim m)] : place l : lamp l <> wave w <> aperture a)
+  PlanarAperture (Mask m) l w a -> Sub ["aperture_mask_light"] ([Is ["mask", "masque"] (fileNamed m)] : place l : lamp l <> wave w <> aperture a)
   where
     colour k = [Is ["color", "couleur"] (Col k)]
     place l = [Is ["position"] (Vec (lampPosition l))]
@@ -472,7 +480,7 @@ someScene :: Gen Scene
 someScene = do
   materials <- listOfUpTo 4 someMaterial
   primitives <- if null materials then pure [] else listOfUpTo 5 (Primitive <$> elements (map materialName materials) <*> someShape 3)
-  models <- listOfUpTo 2 (Model <$> line <*> someTransform <*> arbitraryBoundedEnum)
+  models <- listOfUpTo 2 (Model <$> fileLine <*> someTransform <*> arbitraryBoundedEnum)
   lights <- listOfUpTo 4 someLight
   c <- someCamera
   v <- someViewport
@@ -496,6 +504,10 @@ line = Text.pack <$> oneof [pure "none", elements ["a", "red", "end", "# 1", "/*
   where
     word = (:) <$> visible <*> resize 8 (listOf (oneof [visible, elements " \t\f"]))
     visible = arbitraryUnicodeChar `suchThat` (`notElem` (" \t\f\r\n" :: String))
+
+-- | The same for the name of a file to read, if there is one.
+fileLine :: Gen (Maybe Text)
+fileLine = (\t -> if t == "none" then Nothing else Just t) <$> line
 
 -- | The same for the name of a file to write.
 outputLine :: Gen Text
@@ -549,7 +561,7 @@ someTransform = (transform <$> vector3 <*> vector3 <*> vector3) `suchThatMap` id
 someMaterial :: Gen Material
 someMaterial =
   Material <$> line <*> someColour <*> fraction <*> fraction <*> fraction <*> fraction <*> fraction <*> within 0 200 <*> fraction <*> within 1e-10 10
-    <*> oneof [pure Nothing, Just <$> (Textures <$> line <*> line <*> line)]
+    <*> oneof [pure Nothing, Just <$> (Textures <$> fileLine <*> fileLine <*> fileLine)]
   where
     fraction = within 0 1
 
@@ -566,7 +578,7 @@ someLight =
         w <- wave
         let (longer, shorter) = (max (apertureWidth a) (apertureHeight a), min (apertureWidth a) (apertureHeight a))
             fits = if longer / shorter < 100 then min 90 (waveOscillators w) else min 1 (waveOscillators w)
-        PlanarAperture <$> oneof [pure Rectangle, pure Ellipse, Mask <$> line] <*> lamp vector3 <*> pure w {waveOscillators = fits} <*> pure a
+        PlanarAperture <$> oneof [pure Rectangle, pure Ellipse, Mask <$> fileLine] <*> lamp vector3 <*> pure w {waveOscillators = fits} <*> pure a
     ]
   where
     lamp place = (Lamp <$> someColour <*> place <*> part <*> ((,,) <$> part <*> part <*> part)) `suchThat` attenuates

@@ -59,10 +59,11 @@ import Dioptre.Render.Row (Row (..), Sampled (..), Work (..), colourAt, plan, ro
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.World (world, worldSize)
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), camera, cameraSettings, viewport, viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
 import Laws.Draw (Kind (..), axisStep, point)
+import Dioptre.Scene.Unchecked (Scene (..))
 import Laws.Shade (Small (..), setAlgorithm)
 import Laws.Sketch (Sketch (..), sketchScene)
 import Laws.World (Modelled (..))
@@ -80,7 +81,7 @@ instance Arbitrary Pictured where
     Small scene0 r <- arbitrary
     noLight <- frequency [(5, pure False), (1, pure True)]
     papered <- arbitrary
-    names <- vectorOf (length (sceneMaterials scene0)) (Textures <$> elements ["p", "none"] <*> elements ["p", "q"] <*> elements ["q", "none"])
+    names <- vectorOf (length (sceneMaterials scene0)) (Textures <$> elements [Just "p", Nothing] <*> elements [Just "p", Just "q"] <*> elements [Just "q", Nothing])
     n <- elements [1, 1, 2, 3]
     coordinate <- elements [minBound .. maxBound]
     normalization <- elements [minBound .. maxBound]

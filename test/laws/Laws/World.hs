@@ -67,10 +67,11 @@ import Dioptre.Render.Surface
 import Dioptre.Render.Surroundings
 import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (Extent (..), World, world, worldExtent, worldHasMedia, worldOwn, worldSize)
-import Dioptre.Scene (Scene (..), writeScene)
+import Dioptre.Scene (writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), cameraSettings)
 import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (ReflexionAlgorithm (NoLight))
+import Dioptre.Scene.Unchecked (Scene (..))
 import Laws.Aim
 import Laws.Closest (allHits, metIn)
 import Laws.Draw

@@ -39,7 +39,7 @@ import Dioptre.Model.Obj.Materials (Materials, materialNumber)
 import Dioptre.Model.Obj.Triangles (Triangles, collinear, fan, newTriangles)
 import Dioptre.Model.Obj.Vertices
 import Dioptre.Model.Words (blanksFrom, byteAt, hash, isBlank, slash, wordFrom)
-import Dioptre.Source.Diagnostic (Diagnostic, FaceFlaw (..), Problem (BadFace, CollinearTriangles, MissingAttribute, MissingVertex, NoAttributes))
+import Dioptre.Source.Diagnostic (Attribute (..), Diagnostic, FaceFlaw (..), Problem (BadFace, CollinearTriangles, MissingAttribute, MissingVertex, NoAttributes))
 
 -- | How much there is in a file.
 data Counts = Counts
@@ -99,8 +99,8 @@ face faults vertices materials fs line@(Line bytes _ _) start = do
               if bad
                 then wrong
                 else do
-                  when (testBit earlier uvPart && not uvThere) $ missing i (facesWithoutUvs fs) "vt" (digitsFrom (behindSlash i)) uvs
-                  when (testBit earlier normalPart && not normalThere) $ missing i (facesWithoutNormals fs) "vn" (digitsFrom (behindSlash (behindSlash i))) normals
+                  when (testBit earlier uvPart && not uvThere) $ missing i (facesWithoutUvs fs) TextureCoordinate (digitsFrom (behindSlash i)) uvs
+                  when (testBit earlier normalPart && not normalThere) $ missing i (facesWithoutNormals fs) Normal (digitsFrom (behindSlash (behindSlash i))) normals
                   useful <- if normalThere then not <$> isZeroNormal vertices normalAt else pure False
                   push3
                     (facesCurrent fs)
@@ -130,9 +130,9 @@ face faults vertices materials fs line@(Line bytes _ _) start = do
     wrong = increase (facesErrors fs) 1
     faulty i problem = report faults line i (wordFrom bytes i) problem >> wrong
     -- Where the file has none of them so far, all faces with that fault are told of at once: leaving out its normals is a way to draw a model flat.
-    missing i counter word number count
+    missing i counter attribute number count
       | count == 0 = tally faults counter line i (wordFrom bytes i)
-      | otherwise = report faults line i (wordFrom bytes i) (MissingAttribute word number count)
+      | otherwise = report faults line i (wordFrom bytes i) (MissingAttribute attribute number count)
     without part isIt parts = if isIt then parts else clearBit parts part
     wordAt i = excerptOf bytes i (wordFrom bytes i)
     digitsFrom i = excerptOf bytes i (i + Bytes.length (Bytes.takeWhile (\b -> b /= slash && not (isBlank b)) (Bytes.drop i bytes)))
@@ -154,6 +154,6 @@ toldOfFaces fs =
   concat
     <$> sequence
       [ toldOnce CollinearTriangles (collinear (facesTriangles fs)),
-        toldOnce (NoAttributes "vt") (facesWithoutUvs fs),
-        toldOnce (NoAttributes "vn") (facesWithoutNormals fs)
+        toldOnce (NoAttributes TextureCoordinate) (facesWithoutUvs fs),
+        toldOnce (NoAttributes Normal) (facesWithoutNormals fs)
       ]

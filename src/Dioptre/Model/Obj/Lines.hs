@@ -43,6 +43,7 @@ import Data.STRef (STRef, modifySTRef', newSTRef, readSTRef, writeSTRef)
 import Data.Word (Word8)
 import Dioptre.Model.Growing (Counter, current, newCounter, put)
 import Dioptre.Model.Words (backslash, byteAt, hash, isBlank)
+import Dioptre.Source.Text (byteOrderMark)
 
 -- | A line: its bytes without the end, the number of its first line, and where in it the further lines begin, if it has any.
 data Line = Line !ByteString !Int [Int]
@@ -164,6 +165,3 @@ newline, carriageReturn, blank :: Word8
 newline = 10
 carriageReturn = 13
 blank = 32
-
-byteOrderMark :: ByteString
-byteOrderMark = "\xEF\xBB\xBF"

@@ -43,7 +43,7 @@ import qualified Data.Text.Encoding as Text
 import Dioptre.Model.Obj.Faults (Faults, keepLine, located, noted, report)
 import Dioptre.Model.Obj.Lines (Line (..))
 import Dioptre.Model.Words (blanksFrom, isBlank, wordFrom)
-import Dioptre.Source.Diagnostic (Expectation (SomeText), Problem (RefusedValue, TooManyLibraries), Refusal (NothingThere))
+import Dioptre.Source.Diagnostic (Expectation (SomeText), Instead (Kept), Problem (RefusedValue, TooManyLibraries), Refusal (NothingThere))
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (characters)
 
@@ -121,7 +121,7 @@ useMaterial :: Faults s -> Materials s -> Line -> Int -> Int -> ST s ()
 useMaterial faults ms line@(Line bytes _ _) start from
   | Bytes.null name = do
     writeSTRef (materialsNext ms) Unnamed
-    report faults line start (wordFrom bytes start) (RefusedValue "usemtl" NothingThere SomeText defaultMaterial)
+    report faults line start (wordFrom bytes start) (RefusedValue "usemtl" NothingThere SomeText (Kept defaultMaterial))
   | otherwise = do
     known <- Map.lookup name <$> readSTRef (materialsNumbers ms)
     writeSTRef (materialsNext ms) $! maybe fresh Known known
@@ -132,7 +132,7 @@ useMaterial faults ms line@(Line bytes _ _) start from
 -- | Reads an @mtllib@, whose names begin at the second place. One name has blanks, several end in @.mtl@ each.
 materialLibrary :: Faults s -> Materials s -> Line -> Int -> Int -> ST s ()
 materialLibrary faults ms line@(Line bytes _ _) start from
-  | Bytes.null rest = report faults line start (wordFrom bytes start) (RefusedValue "mtllib" NothingThere SomeText "none")
+  | Bytes.null rest = report faults line start (wordFrom bytes start) (RefusedValue "mtllib" NothingThere SomeText (Kept "none"))
   | otherwise = names from
   where
     rest = restOfLine bytes from

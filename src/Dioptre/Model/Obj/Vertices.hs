@@ -36,7 +36,6 @@ import Control.Monad (when)
 import Control.Monad.ST (ST)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.Text (Text)
 import Data.Vector.Unboxed (Vector)
 import Dioptre.Math.Order (finite)
 import Dioptre.Math.Vector (Packed, packed)
@@ -45,7 +44,7 @@ import Dioptre.Model.Obj.Faults (Faults, excerptOf, report)
 import Dioptre.Model.Obj.Lines (Line (..))
 import Dioptre.Model.Single (Scanned (..), scan)
 import Dioptre.Model.Words (blanksFrom, byteAt, hash, wordFrom)
-import Dioptre.Source.Diagnostic (Guess (NoGuess), Problem (BadCoordinates), Refusal (NotANumber, NothingThere, TooLarge, WrongCount))
+import Dioptre.Source.Diagnostic (Attribute (..), Coordinates (..), Guess (NoGuess), Problem (BadCoordinates), Refusal (NotANumber, NothingThere, TooLarge, WrongCount))
 import GHC.Float (double2Float, float2Double)
 import Linear.V3 (V3 (..))
 
@@ -75,7 +74,7 @@ vertex faults vs line@(Line bytes _ _) start
   | otherwise = do
     push3 (verticesPoints vs) (0 / 0) 0 0
     increase (verticesBadPoints vs) 1
-    refusedNumbers faults line start "v"
+    refusedNumbers faults line start OfVertex
   where
     Triple x y z = triple bytes (start + 1)
 
@@ -88,7 +87,7 @@ normal faults vs line@(Line bytes _ _) start
   | otherwise = do
     push3 (verticesNormals vs) 0 0 0
     increase (verticesZeroNormals vs) 1
-    refusedNumbers faults line start "vn"
+    refusedNumbers faults line start (OfAttribute Normal)
   where
     Triple x y z = triple bytes (start + 2)
 
@@ -98,7 +97,7 @@ textureCoordinate faults vs line@(Line bytes _ _) start
   | finite (u + v) = push2 (verticesUvs vs) (double2Float u) (double2Float v)
   | otherwise = do
     push2 (verticesUvs vs) 0 0
-    refusedNumbers faults line start "vt"
+    refusedNumbers faults line start (OfAttribute TextureCoordinate)
   where
     Scanned end u = scan bytes (blanksFrom bytes (start + 2))
     second = blanksFrom bytes end
@@ -117,9 +116,9 @@ triple bytes start = Triple x y z
     Scanned end1 y = scan bytes (blanksFrom bytes end0)
     Scanned _ z = scan bytes (blanksFrom bytes end1)
 
--- | Tells why the numbers after this word, three of them or at least one, cannot be read.
-refusedNumbers :: Faults s -> Line -> Int -> Text -> ST s ()
-refusedNumbers faults line@(Line bytes _ _) start word = go (0 :: Int) wordEnd
+-- | Tells why the numbers of the line whose word begins there, three of them or at least one, cannot be read.
+refusedNumbers :: Faults s -> Line -> Int -> Coordinates -> ST s ()
+refusedNumbers faults line@(Line bytes _ _) start what = go (0 :: Int) wordEnd
   where
     n = Bytes.length bytes
     wordEnd = wordFrom bytes start
@@ -133,7 +132,7 @@ refusedNumbers faults line@(Line bytes _ _) start word = go (0 :: Int) wordEnd
       where
         i = blanksFrom bytes from
         Scanned end x = scan bytes i
-    refused from to why = report faults line from to (BadCoordinates word why)
+    refused from to why = report faults line from to (BadCoordinates what why)
 
 -------------------------------------------------------------------------------
 -- Looking up
