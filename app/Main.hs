@@ -16,10 +16,11 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Data.Version (showVersion)
-import Dioptre.Command.Check (Format (..), check, checkWithOriginal)
+import Dioptre.Command.Check (check, checkWithOriginal)
 import Dioptre.Command.Compare (compare)
 import Dioptre.Command.Conform (Trial (..), conform)
 import Dioptre.Command.Explain (explain)
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.New (new)

@@ -12,8 +12,7 @@ where
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
-import Dioptre.Command.Render (sayDiagnostics)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault)
 import Dioptre.Load (Loaded (..), drawnOrLoaded)
 import Dioptre.Picture (Difference (..), difference, pictureHeight, pictureWidth)
 import Dioptre.Source.Language (Language, inLanguage)

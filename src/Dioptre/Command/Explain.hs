@@ -12,9 +12,8 @@ import Data.Aeson (encode)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Check (Format (..))
-import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
-import Dioptre.Command.Render (sayDiagnostics)
+import Dioptre.Command.Format (Format (..))
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault)
 import Dioptre.Explain.Json (storyJson)
 import Dioptre.Explain.Wording (storyText)
 import Dioptre.Load (Loaded (..), loadScene, storyAt)

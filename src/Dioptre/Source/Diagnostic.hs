@@ -14,6 +14,7 @@ module Dioptre.Source.Diagnostic
     Diagnostic (..),
     Severity (..),
     severity,
+    needsMending,
     code,
     keptInFull,
 
@@ -310,6 +311,10 @@ severity = \case
   MoreFaults {} -> Warning
   UnknownMaterialOfModel {} -> Warning
   _ -> Error
+
+-- | Whether it is more than a note, so that @check@ and @--strict@ fail.
+needsMending :: Diagnostic -> Bool
+needsMending d = severity (diagnosticProblem d) >= Warning
 
 -- | The stable name of a kind of problem, for programs.
 --

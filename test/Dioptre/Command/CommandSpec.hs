@@ -18,8 +18,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Check (Format (..), check)
+import Dioptre.Command.Check (check)
 import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder, listeningTo)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
