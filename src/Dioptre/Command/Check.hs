@@ -4,6 +4,10 @@
 -- |
 -- Module      : Dioptre.Command.Check
 -- Description : dioptre check: diagnostics only
+--
+-- The same diagnostics that @render@ shows before it draws, as a result: on standard output, all files one after
+-- the other, so that an editor or a script can read them. A file that cannot be read does not keep the others from
+-- being checked. Specification: 11.6.
 module Dioptre.Command.Check
   ( check,
     checkWithOriginal,

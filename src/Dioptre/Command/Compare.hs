@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Compare
 -- Description : dioptre compare: two scenes or pictures, pixel by pixel
+--
+-- Either side may be a scene, which is drawn for it, or the file of a picture: a port's picture can be held
+-- against the scene, and two scenes against each other, without a file between. Specification: 10.2 and 11.6.
 module Dioptre.Command.Compare
   ( compare,
     verdict,

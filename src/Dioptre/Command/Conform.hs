@@ -5,6 +5,10 @@
 -- |
 -- Module      : Dioptre.Command.Conform
 -- Description : dioptre conform: the conformance suite against a port
+--
+-- Which cases are asked, and what is said of the answers: for a person each failure in full and a table by
+-- profiles, for a program one JSON object with the same. The asking is in "Dioptre.Conformance.Runner".
+-- Specification: 0.3 to 0.5.
 module Dioptre.Command.Conform
   ( Trial (..),
     conform,

@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Explain
 -- Description : dioptre explain: the story of one pixel
+--
+-- The rim of IO round "Dioptre.Explain.Story": the scene is loaded as for drawing, and what is told of the pixel
+-- is data until it is printed, in words or as JSON. Specification: 11.6.
 module Dioptre.Command.Explain
   ( explain,
   )

@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Info
 -- Description : dioptre info: applications, words and defaults
+--
+-- A page that cannot go out of date: each object's words, what they expect and their defaults are read from the
+-- schemas with which scenes are checked ("Dioptre.Scene.Schema").
 module Dioptre.Command.Info
   ( info,
   )
