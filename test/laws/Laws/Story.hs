@@ -43,11 +43,13 @@ import Dioptre.Explain.Polynomial (Candidate (..), equationOf)
 import Dioptre.Explain.Story
 import Dioptre.Explain.Tell (tell)
 import Dioptre.Geometry.Prepared (parameters, placedIn, prepare)
-import Dioptre.Geometry.Ray (direction, origin)
+import Dioptre.Geometry.Ray (Ray, direction, origin)
+import Dioptre.Geometry.Shape (Shape (..))
+import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
 import Dioptre.Light.Colour (Colour (..), black, plus)
 import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Light.Material (Material (..), Textures (..))
-import Dioptre.Math.Vector (dot, quadrance, vector, (*^))
+import Dioptre.Math.Vector (cross, dot, modulus, quadrance, vector, (*^))
 import Dioptre.Model.Library (Library, noModels)
 import Dioptre.Picture (picture)
 import Dioptre.Picture.Byte (Pixel (..))
@@ -247,30 +249,31 @@ solves equation condition t = case condition of
 
 -- | The shape that is hit is the one told as the closest, at its kept root; no other kept root is nearer; every fate and verdict is what its numbers say; and every shape is accounted for.
 verdictsAccountForTheHit :: Pictured -> Property
-verdictsAccountForTheHit p = conjoin (map ofRay (concatMap (raysOf . sampleRay) (storySamples story)))
+verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMap (raysOf . sampleRay) (storySamples story)))
   where
     story = storyOf p
     far = storyFar story
     ofRay r =
       [(encounterThing e, t) | e <- rayEncounters r, Meets t IsClosest <- [encounterVerdict e]] === [(hitThing h, hitParameter h) | Just h <- [rayHit r]]
         .&&. counterexample "nearest" (and [(hitParameter h, thingNumber (hitThing h)) <= (t, thingNumber (encounterThing e)) | Just h <- [rayHit r], e <- rayEncounters r, Meets t _ <- [encounterVerdict e]])
-        .&&. conjoin [counterexample (show (encounterThing e, encounterVerdict e, encounterRoots e)) (consistent e) | e <- rayEncounters r]
+        .&&. conjoin [counterexample (show (encounterThing e, encounterVerdict e, encounterRoots e)) (consistent r e) | e <- rayEncounters r]
         .&&. length (rayEncounters r) + rayPassed r + rayUntold r === storyShapes story
-    consistent e = all fateHolds (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
-    fateHolds (Root t _ measure fate) =
-      measureHolds (fate /= Outside) measure && case fate of
+    shapes = directory [] noModels scene
+    consistent r e = all (fateHolds (maybe (const 0) (cornerSlack (rayItself r) . foundShape) (find shapes (thingNumber (encounterThing e))))) (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
+    fateHolds slack (Root t _ measure fate) =
+      measureHolds slack (fate /= Outside) measure && case fate of
         Taken -> t > 1e-8 && t < far
         Later -> t > 1e-8
         Behind -> t < 0
         TooNear -> 0 <= t && t <= 1e-8
         BeyondFar -> t >= far
         Outside -> True
-    -- The coordinates in a triangle are computed apart from its edges, and differ at one by a rounding.
-    measureHolds isOnShape measure = case measure of
+    -- The coordinates in a triangle are computed apart from its edges.
+    measureHolds slack isOnShape measure = case measure of
       AwayFromCentre away radius -> isOnShape == (away <= radius)
       Barycentric t1 t2
-        | isOnShape -> minimum [t1, t2, 1 - t1 - t2] >= -1e-9
-        | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= 1e-9
+        | isOnShape -> minimum [t1, t2, 1 - t1 - t2] >= negate (slack (abs t1 + abs t2))
+        | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= slack (abs t1 + abs t2)
       AtHeight height len -> isOnShape == (0 <= height && height <= len)
       InTheHole away radius -> not isOnShape && away < radius
       SideOfDisk -> True
@@ -288,6 +291,30 @@ verdictsAccountForTheHit p = conjoin (map ofRay (concatMap (raysOf . sampleRay) 
     isOn fate = case fate of
       Outside -> False
       _ -> True
+
+-- | How far beyond an edge of a triangle, as barycentric coordinates go, a ray's point may be told that passes within the triangle, or within it one that passes beside; given the sum of the
+-- coordinates. There is nothing of the kind for other shapes.
+--
+-- With m the distances of the ray's start and of the farthest corner from the origin, L the longest edge, N = s1 x s2, and a = |\<N, d>| what the ray sees of it:
+--
+-- * A corner's shadow has 6 m roundings, and is at most 2 m away; an edge's two products make 64 m^2 of that, of a.
+-- * The unit normal leans by 5 L^2 \/ |N| + 4, so that the plane is met that much of the distance w from the first corner too early or too late; the parameter
+--   and the place have 16 m and 8 w more. All that is divided by the cosine, a \/ |N|. A coordinate changes by L \/ |N| for each unit of length.
+-- * The inner products of the coordinates have 32 L^4 \/ |N|^2 of themselves.
+cornerSlack :: Ray -> Shape -> Double -> Double
+cornerSlack r shape coordinates = case shape of
+  ATriangle t -> ofCorners (trianglePoints t)
+  ASmoothTriangle t -> ofCorners (trianglePoints (smoothTriangleFlat t))
+  _ -> 0
+  where
+    ofCorners (Corners p0 p1 p2) =
+      let m = modulus (origin r) + maximum (map modulus [p0, p1, p2])
+          l = maximum (map modulus [p1 - p0, p2 - p0, p2 - p1])
+          n = cross (p1 - p0) (p2 - p0)
+          a = abs (dot n (direction r))
+          w = coordinates * l
+          place = (16 * m + (5 * l * l / modulus n + 12) * w) * modulus n / a
+       in roundings 1 * (64 * m * m / a + place * l / modulus n + 32 * l * l * l * l / dot n n * (1 + coordinates))
 
 -------------------------------------------------------------------------------
 -- Light
