@@ -3,6 +3,14 @@
 -- |
 -- Module      : Dioptre.Picture
 -- Description : Pictures, and how they differ
+--
+-- >            column 0     column 1
+-- > row 0      r g b a      r g b a      ...     4 width bytes
+-- > row 1      r g b a      r g b a      ...
+--
+-- What is drawn and what is read from files has one form: bytes in one storable vector, as PNG has them and as
+-- JuicyPixels takes them without a copy. Two pictures are the same if every byte is, and if not it is told how
+-- many pixels differ, by how much, and where first: enough to tell a rounding from a fault. Specification: 10.2.
 module Dioptre.Picture
   ( -- * Pictures
     Picture,

@@ -1,13 +1,15 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE LambdaCase #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Command.Check
 -- Description : dioptre check: diagnostics only
+--
+-- The same diagnostics that @render@ shows before it draws, as a result: on standard output, all files one after
+-- the other, so that an editor or a script can read them. A file that cannot be read does not keep the others from
+-- being checked. Specification: 11.6.
 module Dioptre.Command.Check
-  ( Format (..),
-    check,
+  ( check,
     checkWithOriginal,
   )
 where
@@ -21,14 +23,14 @@ import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole)
-import Dioptre.Command.Render (failing)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Load (Loaded (..), loadScene)
 import Dioptre.Scene.Configuration (checkConfiguration)
 import Dioptre.Scene.Original (departures)
-import Dioptre.Source.Diagnostic (Diagnostic (..))
+import Dioptre.Source.Diagnostic (Diagnostic (..), needsMending)
 import Dioptre.Source.Language (inLanguage)
 import Dioptre.Source.Report (pretty, summary, toJson)
 import Dioptre.Source.Text (Source, decode, sourceName)
@@ -36,10 +38,6 @@ import Dioptre.Syntax.Grammar (parse)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension)
 import System.IO (stdout)
-
--- | How the result is printed.
-data Format = AsText | AsJson
-  deriving stock (Eq, Show)
 
 -- | Prints the diagnostics of files on standard output: scenes with the files that they need, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
 -- cannot be read.
@@ -68,7 +66,7 @@ checked ofScene journal format paths = do
   forM_ (lefts results) (sayFault journal)
   pure $ case () of
     _ | not (null (lefts results)) -> ExitFailure 3
-    _ | any (any failing . snd) files -> ExitFailure 1
+    _ | any (any needsMending . snd) files -> ExitFailure 1
     _ -> ExitSuccess
   where
     l = journalLanguage journal

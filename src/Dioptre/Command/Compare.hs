@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Compare
 -- Description : dioptre compare: two scenes or pictures, pixel by pixel
+--
+-- Either side may be a scene, which is drawn for it, or the file of a picture: a port's picture can be held
+-- against the scene, and two scenes against each other, without a file between. Specification: 10.2 and 11.6.
 module Dioptre.Command.Compare
   ( compare,
     verdict,
@@ -12,8 +15,7 @@ where
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
-import Dioptre.Command.Render (sayDiagnostics)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault)
 import Dioptre.Load (Loaded (..), drawnOrLoaded)
 import Dioptre.Picture (Difference (..), difference, pictureHeight, pictureWidth)
 import Dioptre.Source.Language (Language, inLanguage)

@@ -5,6 +5,10 @@
 -- |
 -- Module      : Dioptre.Command.Conform
 -- Description : dioptre conform: the conformance suite against a port
+--
+-- Which cases are asked, and what is said of the answers: for a person each failure in full and a table by
+-- profiles, for a program one JSON object with the same. The asking is in "Dioptre.Conformance.Runner".
+-- Specification: 0.3 to 0.5.
 module Dioptre.Command.Conform
   ( Trial (..),
     conform,
@@ -19,7 +23,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as LazyText
 import qualified Data.Text.Lazy.Encoding as LazyText
-import Dioptre.Command.Check (Format (..))
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, toConsole, withProgress)
 import Dioptre.Conformance.Compare (describeComparison)
 import Dioptre.Conformance.Oracle (profiles)
@@ -56,16 +60,16 @@ data Trial = Trial
 conform :: Journal -> Trial -> IO ExitCode
 conform journal trial =
   maybe (findSuite ".") (pure . Just) (trialSuite trial) >>= \case
-    Nothing -> failing 3 (say "there is no folder conformance/vectors here, nor in any folder around; --suite says where it is" "il n'y a de dossier conformance/vectors ni ici, ni dans un dossier qui contient celui-ci\xA0; --suite dit où il est")
+    Nothing -> refused 3 (say "there is no folder conformance/vectors here, nor in any folder around; --suite says where it is" "il n'y a de dossier conformance/vectors ni ici, ni dans un dossier qui contient celui-ci\xA0; --suite dit où il est")
     Just folder ->
       readSuite folder >>= \suite -> case select (trialSelection trial) <$> suite of
-        Left fault -> failing 3 (suiteFault l fault)
-        Right [] -> failing 2 (say "no case of the suite is selected" "aucun cas de la suite n'est choisi")
+        Left fault -> refused 3 (suiteFault l fault)
+        Right [] -> refused 2 (say "no case of the suite is selected" "aucun cas de la suite n'est choisi")
         Right cases -> do
           ran <- withProgress journal (say "conformance" "conformité") (length cases) $ \step ->
             runCases standardSettings {settingTimeout = trialTimeout trial} step (trialCommand trial) (trialArguments trial) cases
           case ran of
-            Left fault -> failing 3 (fileFault l fault)
+            Left fault -> refused 3 (fileFault l fault)
             Right result -> do
               case trialFormat trial of
                 AsText -> toConsole stdout (inWords l result)
@@ -74,7 +78,7 @@ conform journal trial =
   where
     l = journalLanguage journal
     say = inLanguage l
-    failing code text = ExitFailure code <$ sayFault journal text
+    refused code text = ExitFailure code <$ sayFault journal text
 
 suiteFault :: Language -> SuiteFault -> Text
 suiteFault l fault = case fault of

@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Explain
 -- Description : dioptre explain: the story of one pixel
+--
+-- The rim of IO round "Dioptre.Explain.Story": the scene is loaded as for drawing, and what is told of the pixel
+-- is data until it is printed, in words or as JSON. Specification: 11.6.
 module Dioptre.Command.Explain
   ( explain,
   )
@@ -12,9 +15,8 @@ import Data.Aeson (encode)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Check (Format (..))
-import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
-import Dioptre.Command.Render (sayDiagnostics)
+import Dioptre.Command.Format (Format (..))
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault)
 import Dioptre.Explain.Json (storyJson)
 import Dioptre.Explain.Wording (storyText)
 import Dioptre.Load (Loaded (..), loadScene, storyAt)

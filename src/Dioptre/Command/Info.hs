@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Info
 -- Description : dioptre info: applications, words and defaults
+--
+-- A page that cannot go out of date: each object's words, what they expect and their defaults are read from the
+-- schemas with which scenes are checked ("Dioptre.Scene.Schema").
 module Dioptre.Command.Info
   ( info,
   )
@@ -12,7 +15,7 @@ import Data.List.NonEmpty (toList)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Scene.Camera (cameraSchema, viewportSchema)
-import Dioptre.Scene.Configuration (applicationNames, describeConfiguration)
+import Dioptre.Scene.Configuration (Application (..), applicationNames, describeConfiguration)
 import Dioptre.Scene.Lights (describeLights)
 import Dioptre.Scene.Materials (materialSchema, textureMaterialSchema)
 import Dioptre.Scene.Model (modelSchema)
@@ -33,9 +36,7 @@ info l =
       "",
       inLanguage l "APPLICATIONS (the word 'application' in configuration.cfg)" "APPLICATIONS (le mot 'application' de configuration.cfg)"
     ]
-      <> [ "  " <> Text.justifyLeft 12 ' ' name <> what
-           | ((name, _), what) <- zip applicationNames applications
-         ]
+      <> ["  " <> Text.justifyLeft 12 ' ' name <> describeApplication l application | (name, application) <- applicationNames]
       <> section (inLanguage l "CONFIGURATION" "CONFIGURATION") [("configuration.cfg", describeConfiguration)]
       <> section
         (inLanguage l "SCENE" "SCÈNE")
@@ -50,13 +51,6 @@ info l =
       <> section (inLanguage l "SHAPES (inside primitive or geometry)" "GÉOMÉTRIES (dans primitive ou geometry)") (map named describeShapes)
       <> section (inLanguage l "LIGHTS" "LUMIÈRES") (map named describeLights)
   where
-    applications =
-      [ inLanguage l "does nothing" "ne fait rien",
-        inLanguage l "prints this page" "affiche cette page",
-        inLanguage l "draws the scene that 'read_data' names" "dessine la scène que nomme 'read_data'",
-        inLanguage l "the same, in a window (not in this version: draws as console)" "de même, dans une fenêtre (pas dans cette version\xA0: dessine comme console)",
-        inLanguage l "compares the pictures that the list in 'read_data' names" "compare les images de la liste que nomme 'read_data'"
-      ]
     object :: Schema a b -> (Text, [([Keyword], Expectation, [Text])])
     object schema = named (schemaKeyword schema, describe schema)
     named (word, properties) = (names [word], properties)
@@ -67,3 +61,18 @@ info l =
       ["    " <> Text.justifyLeft 40 ' ' (names words') <> " " <> expectation l wanted]
         <> ["    " <> Text.replicate 41 " " <> inLanguage l "default: " "par défaut\xA0: " <> Text.intercalate inBetween given | given@(_ : _) <- [filter (not . Text.null) defaults]]
     inBetween = inLanguage l ", then " ", puis "
+
+-- | What an application does.
+describeApplication :: Language -> Application -> Text
+describeApplication l application = case application of
+  RunNothing -> say "does nothing" "ne fait rien"
+  RunInfo -> say "prints this page" "affiche cette page"
+  RunConsole -> say "draws the scene that 'read_data' names" "dessine la scène que nomme 'read_data'"
+  RunFrame ->
+    say
+      "shows the scene in the browser while it is drawn, then does as console"
+      "montre la scène dans le navigateur pendant qu'elle est dessinée, puis fait comme console"
+  RunComparator ->
+    say "compares the pictures that the list in 'read_data' names" "compare les images de la liste que nomme 'read_data'"
+  where
+    say = inLanguage l

@@ -13,13 +13,14 @@ module Dioptre.Command.Journal
     say,
     sayText,
     sayFault,
+    sayDiagnostics,
     written,
     withProgress,
     toConsole,
   )
 where
 
-import Control.Monad (when)
+import Control.Monad (forM_, when)
 import Data.Foldable (fold, toList)
 import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
 import Data.Sequence (Seq, (|>))
@@ -27,8 +28,10 @@ import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as Lazy
+import Dioptre.Source.Diagnostic (Diagnostic)
 import Dioptre.Source.Language (Language)
 import qualified Dioptre.Source.Report as Report
+import Dioptre.Source.Text (Source)
 import Prettyprinter (Doc, LayoutOptions (..), PageWidth (..), hardline, layoutPretty, pretty, unAnnotate)
 import qualified Prettyprinter.Render.Terminal as Terminal
 import qualified Prettyprinter.Render.Text as Plain
@@ -66,6 +69,14 @@ sayText journal = say journal . paragraphs
 -- | A message that is heard even where the journal is silent, as the program ends because of it.
 sayFault :: Journal -> Text -> IO ()
 sayFault journal = say journal {speaks = True} . paragraphs
+
+-- | Every diagnostic in full, file by file, and how many there were in all.
+sayDiagnostics :: Journal -> [(Source, [Diagnostic])] -> IO ()
+sayDiagnostics journal files = do
+  forM_ files $ \(source, diagnostics) -> forM_ diagnostics (say journal . Report.pretty l source)
+  forM_ (Report.summary l (concatMap snd files)) (sayText journal)
+  where
+    l = journalLanguage journal
 
 paragraphs :: Text -> Doc Report.Style
 paragraphs = fold . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"

@@ -4,6 +4,10 @@
 -- |
 -- Module      : Dioptre.Command.Oracle
 -- Description : dioptre oracle: the conformance protocol
+--
+-- This program as a port of itself: what the suite asks any port, it can be asked too, so that there is something
+-- to compare with while a port is written. It keeps going whatever it is sent: a line that is no request is
+-- answered with what is wrong with it. Specification: 0.4.
 module Dioptre.Command.Oracle
   ( oracle,
   )

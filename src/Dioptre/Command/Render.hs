@@ -3,48 +3,37 @@
 -- |
 -- Module      : Dioptre.Command.Render
 -- Description : dioptre render: one scene, one picture
+--
+-- What the options ask for that the scene cannot give, and what would keep the picture from being written, is found before anything is drawn.
 module Dioptre.Command.Render
   ( Options (..),
     Output (..),
     render,
-
-    -- * For other commands
-    failing,
-    sayDiagnostics,
-    sayCut,
-    traced,
-    timed,
   )
 where
 
 import Control.Exception (evaluate)
-import Control.Monad (forM_, when)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Journal (Journal, journalLanguage, say, sayFault, sayText, withProgress)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText)
+import Dioptre.Command.Trace (sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Number (PictureNumber, writeNumbered)
 import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault)
 import Dioptre.Load (Loaded (..), loadScene)
-import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (encode)
-import Dioptre.Render (Tally (..), renderWith)
-import Dioptre.Render.Row (Plan, plan, planExtent, planHeight, planWithin, window)
+import Dioptre.Render (Tally (..))
+import Dioptre.Render.Row (Plan, plan, planExtent, planWithin, window)
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (Scene, sceneViewport, withSampling, withViewport)
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
-import Dioptre.Scene.Raytracer (mostRays)
-import Dioptre.Source.Diagnostic (Diagnostic (..), Fate (LeftOut), Problem (ImpossibleObject), Severity (..), severity)
+import Dioptre.Source.Diagnostic (Fate (LeftOut), Problem (ImpossibleObject), needsMending)
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Message (message)
-import Dioptre.Source.Report (pretty, summary)
-import Dioptre.Source.Text (Source)
-import GHC.Clock (getMonotonicTime)
-import GHC.Conc (getNumCapabilities)
 import System.Directory (canonicalizePath, doesDirectoryExist)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory)
@@ -80,7 +69,7 @@ render journal options = do
     Left fault -> ExitFailure 3 <$ sayFault journal fault
     Right loaded -> do
       sayDiagnostics journal (loadedDiagnostics loaded)
-      if optionStrict options && any (any failing . snd) (loadedDiagnostics loaded)
+      if optionStrict options && any (any needsMending . snd) (loadedDiagnostics loaded)
         then ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
         else case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
@@ -154,41 +143,3 @@ outputObstacle options = case optionOutput options of
       if same
         then Just (2, \l -> inLanguage l "the picture would replace the scene: " "l'image remplacerait la scène\xA0: " <> Text.pack path)
         else if there then Nothing else Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
-
--- | The picture of a plan by all processors, with a bar that shows how far it is.
-traced :: Journal -> Plan -> IO (Picture, Tally)
-traced journal planned = do
-  workers <- getNumCapabilities
-  withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) $ \done -> renderWith workers done planned
-
--- | Says that some pixels wanted more rays than are followed, if any did.
-sayCut :: Journal -> Tally -> IO ()
-sayCut journal tally =
-  when (tallyCut tally > 0) . sayText journal $
-    inLanguage l "warning: " "avertissement\xA0: "
-      <> Text.pack (show (tallyCut tally))
-      <> inLanguage l " rays of the camera branched into more than " " rayons de la caméra se sont ramifiés en plus de "
-      <> Text.pack (show mostRays)
-      <> inLanguage l "; what lies beyond those is black" "\xA0; ce qui est au-delà est noir"
-  where
-    l = journalLanguage journal
-
--- | How long some work took, in seconds.
-timed :: IO a -> IO (Double, a)
-timed work = do
-  start <- getMonotonicTime
-  result <- work
-  end <- getMonotonicTime
-  pure (end - start, result)
-
--- | Whether a diagnostic makes @check@ and @--strict@ fail.
-failing :: Diagnostic -> Bool
-failing d = severity (diagnosticProblem d) >= Warning
-
--- | Every diagnostic in full, file by file, and how many there were in all.
-sayDiagnostics :: Journal -> [(Source, [Diagnostic])] -> IO ()
-sayDiagnostics journal files = do
-  forM_ files $ \(source, diagnostics) -> forM_ diagnostics (say journal . pretty l source)
-  forM_ (summary l (concatMap snd files)) (sayText journal)
-  where
-    l = journalLanguage journal

@@ -25,8 +25,8 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
-import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayFault, sayText, written)
-import Dioptre.Command.Render (sayCut, sayDiagnostics, timed, traced)
+import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayDiagnostics, sayFault, sayText, written)
+import Dioptre.Command.Trace (sayCut, timed, traced)
 import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
 import Dioptre.Files.Counter (replaceCounter)

@@ -4,6 +4,10 @@
 -- |
 -- Module      : Dioptre.Command.View
 -- Description : dioptre view: a scene in the browser
+--
+-- What a terminal sees of the viewer: the page's address, a browser that is opened if there is one, and the end.
+-- The viewer itself is "Dioptre.View.Server". The application @frame@ ("Dioptre.Command.Run") views by the same
+-- functions, and waits for a picture and for the page to be closed.
 module Dioptre.Command.View
   ( ViewOptions (..),
     viewScene,

@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Command.Wording
 -- Description : What the commands say, in English and French
+--
+-- The sentences with numbers in them that more than one command says, or that say much: durations, counts of rays
+-- and tests, the size of a world, of a model. The others stand where they are said.
 module Dioptre.Command.Wording
   ( seconds,
     statistics,

@@ -18,6 +18,7 @@ module Dioptre.Explain.Phrase
     pair,
     rayIn,
     degrees,
+    nearest,
 
     -- * Colours
     colour,
@@ -31,6 +32,7 @@ import qualified Data.Text as Text
 import Dioptre.Explain.Story
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Light.Colour (Colour (..))
+import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Vector (Vector)
 import Dioptre.Picture.Byte (Pixel (..))
 import Dioptre.Source.Language (Language, inLanguage)
@@ -106,6 +108,13 @@ pixelText (Pixel r g b a) = "(" <> Text.intercalate ", " (map (Text.pack . show)
 -- | An angle in degrees.
 degrees :: Double -> Text
 degrees a = showReal (a * 180 / pi) <> "°"
+
+-- | The parameter that a ray must exceed to meet anything.
+--
+-- >>> nearest
+-- "1e-8"
+nearest :: Text
+nearest = Text.replace ".0e" "e" (showReal smallestParameter)
 
 -- | Origin and direction of a ray, in two lines that begin with this.
 rayIn :: Text -> Ray -> [Text]

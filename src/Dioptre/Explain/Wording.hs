@@ -154,7 +154,7 @@ rayText :: Language -> Story -> Text -> RayStory -> [Text]
 rayText l story name r =
   [say "Ray " "Rayon " <> name <> ", " <> causeText l (rayCause r) <> "        r(t) = o + t d"]
     <> rayIn "  " (rayItself r)
-    <> [say "  for t from 1e-8 to " "  pour t de 1e-8 à " <> showReal (storyFar story) <> reach | isFirst]
+    <> [say "  for t from " "  pour t de " <> nearest <> say " to " " à " <> showReal (storyFar story) <> reach | isFirst]
     <> [say "  weight " "  poids " <> triple (rayWeight r) <> say "; refractive index around it " "\xA0; indice de réfraction autour de lui " <> showReal (rayIndex r) | not isFirst]
     <> [""]
     <> trialsText l isFirst r

@@ -4,8 +4,6 @@
 -- Module      : Dioptre.Files.Fault
 -- Description : What can go wrong with a file, as data
 --
--- What can go wrong between the program and a file, as data.
---
 -- The operating system answers a refused request with a number (@errno@), and the run-time system wraps that in an
 -- 'IOException', whose text is English and whose kinds are coarse: a full disk and a process with too many open files
 -- are one kind to it. Whoever writes a message needs a short closed list instead, each entry of which has a sentence

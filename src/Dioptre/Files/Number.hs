@@ -4,22 +4,19 @@
 -- Module      : Dioptre.Files.Number
 -- Description : Numbered pictures that never overwrite
 --
--- Numbered pictures: @NAME_000.png@ to @NAME_999.png@, none of which is ever overwritten.
---
--- The number comes from a counter that all pictures share, so the file that it leads to may be there already, and
--- another process may be about to make it. \"Look whether it is free, then write\" loses that race. Giving a name to
--- a finished file does not:
+-- Pictures are called @NAME_000.png@ to @NAME_999.png@. The number comes from a counter that all pictures share,
+-- so the file that it leads to may be there already, and another process may be about to make it. \"Look whether
+-- it is free, then write\" loses that race. Giving a name to a finished file does not:
 --
 -- > .dioptre4711-0.tmp    written whole, then linked to
 -- > intro_007.png         taken  -> next
 -- > intro_008.png         free   -> the link is made; the temporary's name is removed
 --
--- A hard link is made only where nothing has the name, at once, and for one process only. Where the file system has
--- no links (FAT, some network shares), an empty file is created exclusively, which is as safe, and the temporary is
--- renamed over it: the picture still appears whole, after an instant of being empty.
+-- A hard link is made only where nothing has the name, at once, and for one process only. Where the file system
+-- has no links (FAT, some network shares), an empty file is created exclusively, which is as safe, and the
+-- temporary is renamed over it: the picture still appears whole, after an instant of being empty.
 --
--- Sources: POSIX.1-2017, @link()@
--- (<https://pubs.opengroup.org/onlinepubs/9699919799/functions/link.html>).
+-- Sources: POSIX.1-2017, @link()@ (<https://pubs.opengroup.org/onlinepubs/9699919799/functions/link.html>).
 module Dioptre.Files.Number
   ( -- * Picture numbers
     PictureNumber,

@@ -2,8 +2,6 @@
 -- Module      : Dioptre.Files.Temporary
 -- Description : A file that exists while it is needed
 --
--- A file that exists while it is needed, beside the one that it will become.
---
 -- A picture takes a while to write. Written straight to its own name it would be seen in part by whoever looks, and
 -- stay in part if the disk fills up or the user presses Ctrl-C. So it is written here first, under a name that nobody
 -- asks for, in the folder of its destination (a rename or a link cannot cross file systems), and only a whole file is

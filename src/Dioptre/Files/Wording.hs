@@ -4,6 +4,9 @@
 -- |
 -- Module      : Dioptre.Files.Wording
 -- Description : What is wrong with files, in English and French
+--
+-- The sentences for the faults that the other modules of this folder find, which are data until they come here. A
+-- sentence about one file begins with its path, as compilers do it, so that terminals and editors find the file.
 module Dioptre.Files.Wording
   ( fileFault,
     searchFault,

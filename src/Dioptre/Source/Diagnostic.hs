@@ -14,6 +14,7 @@ module Dioptre.Source.Diagnostic
     Diagnostic (..),
     Severity (..),
     severity,
+    needsMending,
     code,
     keptInFull,
 
@@ -353,6 +354,10 @@ severity = \case
   UnusableFile {} -> Error
   SamplingWithoutRandom {} -> Warning
   Departs {} -> Note
+
+-- | Whether it is more than a note, so that @check@ and @--strict@ fail.
+needsMending :: Diagnostic -> Bool
+needsMending d = severity (diagnosticProblem d) >= Warning
 
 -- | The stable name of a kind of problem, for programs.
 --

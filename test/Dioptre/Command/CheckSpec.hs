@@ -14,6 +14,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Check
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Source.Language (Language (..))

@@ -18,8 +18,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Check (Format (..), check)
+import Dioptre.Command.Check (check)
 import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder, listeningTo)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
@@ -137,7 +138,17 @@ spec = do
       -- The ball is red with kd 1: 255 against level 128, a difference of 127.
       out `shouldContainText` "20 x 16 pixels, different: "
       out `shouldContainText` "by at most 127"
-  describe "info" $
+  describe "info" $ do
+    it "tells of each application what the runs below see it do" $
+      forM_
+        [ (English, ["nothing", "this page", "draws the scene", "in the browser", "compares"]),
+          (French, ["rien", "cette page", "dessine la scène", "dans le navigateur", "compare"])
+        ]
+        $ \(l, deeds) -> do
+          -- Their lines stand between the second heading and an empty line.
+          let told = takeWhile (not . Text.null) (drop 3 (Text.lines (info l)))
+          map (take 1 . Text.words) told `shouldBe` map pure ["none", "info", "console", "frame", "comparator"]
+          [(line, deed) | (line, deed) <- zip told deeds, not (deed `Text.isInfixOf` line)] `shouldBe` []
     it "knows every word of the language that objects use" $ do
       let words' = Text.words (Text.replace "," " " (info English))
       [s | s <- allSpellings, s `notElem` words', s `notElem` unused] `shouldBe` []

@@ -12,8 +12,8 @@ import qualified Data.Aeson.KeyMap as Keys
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Chars
 import qualified Data.ByteString.Lazy as Lazy
-import Dioptre.Command.Check (Format (..))
 import Dioptre.Command.Conform (Trial (..), conform)
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.Oracle (oracle)
 import Dioptre.Conformance.Suite (Selection (..))

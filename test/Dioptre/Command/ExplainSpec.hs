@@ -12,8 +12,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Check (Format (..))
 import Dioptre.Command.Explain
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Source.Language (Language (..))

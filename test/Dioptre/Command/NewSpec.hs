@@ -13,7 +13,8 @@ import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import qualified Data.Vector.Storable as Storable
 import Dioptre (draw)
-import Dioptre.Command.Check (Format (AsText), check)
+import Dioptre.Command.Check (check)
+import Dioptre.Command.Format (Format (AsText))
 import Dioptre.Command.Heard (heard, inFolder)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.New

@@ -46,12 +46,13 @@ import Dioptre.Explain.Tell (tell)
 import Dioptre.Geometry.Axis (axis, roundShape)
 import Dioptre.Geometry.Lens (lens)
 import Dioptre.Geometry.Prepared (parameters, placedIn, prepare)
-import Dioptre.Geometry.Ray (direction, origin, ray)
+import Dioptre.Geometry.Ray (Ray, direction, origin, ray)
 import Dioptre.Geometry.Shape (Shape (..))
+import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
 import Dioptre.Light.Colour (Colour (..), black, plus)
 import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Light.Material (Material (..), Textures (..))
-import Dioptre.Math.Vector (dot, vector, (*^))
+import Dioptre.Math.Vector (cross, dot, modulus, quadrance, vector, (*^))
 import Dioptre.Model.Library (Library, noModels)
 import Dioptre.Picture (picture)
 import Dioptre.Picture.Byte (Pixel (..))
@@ -62,13 +63,14 @@ import Dioptre.Render.World (world, worldSize)
 import Dioptre.Scene (writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), camera, cameraSettings, viewport, viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (..))
-import Laws.Draw (Kind (..), axisStep, point)
 import Dioptre.Scene.Unchecked (Scene (..))
-import Laws.Shade (Small (..), setAlgorithm)
+import Laws.Draw (Kind (..), axisStep, point)
+import Laws.Shade (Small (..), roundings, setAlgorithm, within)
 import Laws.Sketch (Sketch (..), sketchScene)
 import Laws.World (Modelled (..))
 import Linear.V3 (V3 (..))
-import Test.QuickCheck hiding (Small, vector)
+import Numeric (expm1)
+import Test.QuickCheck hiding (Small, vector, within)
 
 -- | A scene with pictures, and a pixel of it.
 data Pictured = Pictured Scene Assets Int Int
@@ -268,30 +270,31 @@ solves equation condition t = case condition of
 
 -- | The shape that is hit is the one told as the closest, at its kept root; no other kept root is nearer; every fate and verdict is what its numbers say; and every shape is accounted for.
 verdictsAccountForTheHit :: Pictured -> Property
-verdictsAccountForTheHit p = conjoin (map ofRay (concatMap (raysOf . sampleRay) (storySamples story)))
+verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMap (raysOf . sampleRay) (storySamples story)))
   where
     story = storyOf p
     far = storyFar story
     ofRay r =
       [(encounterThing e, t) | e <- rayEncounters r, Meets t IsClosest <- [encounterVerdict e]] === [(hitThing h, hitParameter h) | Just h <- [rayHit r]]
         .&&. counterexample "nearest" (and [(hitParameter h, thingNumber (hitThing h)) <= (t, thingNumber (encounterThing e)) | Just h <- [rayHit r], e <- rayEncounters r, Meets t _ <- [encounterVerdict e]])
-        .&&. conjoin [counterexample (show (encounterThing e, encounterVerdict e, encounterRoots e)) (consistent e) | e <- rayEncounters r]
+        .&&. conjoin [counterexample (show (encounterThing e, encounterVerdict e, encounterRoots e)) (consistent r e) | e <- rayEncounters r]
         .&&. length (rayEncounters r) + rayPassed r + rayUntold r === storyShapes story
-    consistent e = all fateHolds (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
-    fateHolds (Root t _ measure fate) =
-      measureHolds (fate /= Outside) measure && case fate of
+    shapes = directory [] noModels scene
+    consistent r e = all (fateHolds (maybe (const 0) (cornerSlack (rayItself r) . foundShape) (find shapes (thingNumber (encounterThing e))))) (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
+    fateHolds slack (Root t _ measure fate) =
+      measureHolds slack (fate /= Outside) measure && case fate of
         Taken -> t > 1e-8 && t < far
         Later -> t > 1e-8
         Behind -> t < 0
         TooNear -> 0 <= t && t <= 1e-8
         BeyondFar -> t >= far
         Outside -> True
-    -- The coordinates in a triangle are computed apart from its edges, and differ at one by a rounding.
-    measureHolds isOnShape measure = case measure of
+    -- The coordinates in a triangle are computed apart from its edges.
+    measureHolds slack isOnShape measure = case measure of
       AwayFromCentre away radius -> isOnShape == (away <= radius)
       Barycentric t1 t2
-        | isOnShape -> minimum [t1, t2, 1 - t1 - t2] >= -1e-9
-        | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= 1e-9
+        | isOnShape -> minimum [t1, t2, 1 - t1 - t2] >= negate (slack (abs t1 + abs t2))
+        | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= slack (abs t1 + abs t2)
       AtHeight height len -> isOnShape == (0 <= height && height <= len)
       InTheHole away radius -> not isOnShape && away < radius
       SideOfDisk -> True
@@ -310,6 +313,30 @@ verdictsAccountForTheHit p = conjoin (map ofRay (concatMap (raysOf . sampleRay) 
       Outside -> False
       _ -> True
 
+-- | How far beyond an edge of a triangle, as barycentric coordinates go, a ray's point may be told that passes within the triangle, or within it one that passes beside; given the sum of the
+-- coordinates. There is nothing of the kind for other shapes.
+--
+-- With m the distances of the ray's start and of the farthest corner from the origin, L the longest edge, N = s1 x s2, and a = |\<N, d>| what the ray sees of it:
+--
+-- * A corner's shadow has 6 m roundings, and is at most 2 m away; an edge's two products make 64 m^2 of that, of a.
+-- * The unit normal leans by 5 L^2 \/ |N| + 4, so that the plane is met that much of the distance w from the first corner too early or too late; the parameter
+--   and the place have 16 m and 8 w more. All that is divided by the cosine, a \/ |N|. A coordinate changes by L \/ |N| for each unit of length.
+-- * The inner products of the coordinates have 32 L^4 \/ |N|^2 of themselves.
+cornerSlack :: Ray -> Shape -> Double -> Double
+cornerSlack r shape coordinates = case shape of
+  ATriangle t -> ofCorners (trianglePoints t)
+  ASmoothTriangle t -> ofCorners (trianglePoints (smoothTriangleFlat t))
+  _ -> 0
+  where
+    ofCorners (Corners p0 p1 p2) =
+      let m = modulus (origin r) + maximum (map modulus [p0, p1, p2])
+          l = maximum (map modulus [p1 - p0, p2 - p0, p2 - p1])
+          n = cross (p1 - p0) (p2 - p0)
+          a = abs (dot n (direction r))
+          w = coordinates * l
+          place = (16 * m + (5 * l * l / modulus n + 12) * w) * modulus n / a
+       in roundings 1 * (64 * m * m / a + place * l / modulus n + 32 * l * l * l * l / dot n n * (1 + coordinates))
+
 -------------------------------------------------------------------------------
 -- Light
 
@@ -324,10 +351,17 @@ sharesAreTheSum p = conjoin (map ofSample (storySamples (storyOf p)))
                      Nothing -> sampleColour s === rayOwnColour (sampleRay s)
                      Just _ -> sampleColour s === foldl' plus black (map rayContribution rays)
                  )
-            .&&. conjoin [close (three (rayContribution r)) (zipWith (*) (weights r) (three (rayOwnColour r))) | r <- rays]
+            .&&. conjoin [three (rayContribution r) === zipWith (*) (weights r) (three (rayOwnColour r)) | r <- rays]
     weights r = let (x, y, z) = rayWeight r in [x, y, z]
 
 -- | The terms of a share follow from what is told of its way by the formulas of the textbook, and add up to the share, to rounding; what does not arrive gives nothing.
+--
+-- The renderer adds two terms and attenuates the sum; told apart, each is attenuated, and then they are added: 2 roundings on either side. Cosine and attenuation are multiplied with
+-- the light one after the other, or with each other first: 2 on either side.
+--
+-- A highlight is a power of a cosine x. For Blinn's, \<N, b> \/ |b|, the two orders of the division have 4 roundings each, of at most 1. For Phong's, -\<d, v> + 2 \<d, N> \<N, v>,
+-- the renderer's way by the mirrored direction has 12 and the sum 18. Together they are below 32, which the power makes k \/ x times as much; its squarings have k themselves, and the
+-- library's power and the products 6. Where x is below 2^-40 its sign may be a rounding, and nothing is asked.
 sharesFollowFromTheirWays :: Pictured -> Property
 sharesFollowFromTheirWays p =
   conjoin
@@ -340,18 +374,18 @@ sharesFollowFromTheirWays p =
     ]
   where
     ofShare r h s = case shareArrival s of
-      FromAllSides -> close (three (shareTotal s)) (zipWith (*) (three (shareColour s)) (three (ambientOf (hitColours h)))) .&&. addUp s
+      FromAllSides -> three (shareTotal s) === zipWith (*) (three (shareColour s)) (three (ambientOf (hitColours h))) .&&. addUp s
       Arrives way open _ -> addUp s .&&. conjoin [ofTerm r h s way open term c | (term, c) <- shareTerms s] .&&. cosineIs h way
       FacesAway way -> nothing s .&&. cosineIs h way .&&. property (approachCosine way <= 0)
       InShadow way by -> nothing s .&&. cosineIs h way .&&. property (maybe True (\(_, t) -> t > 1e-8 && maybe True (t <) (approachDistance way)) by)
       LeftOut -> nothing s
       Nowhere -> nothing s
     nothing s = (shareTerms s, three (shareTotal s)) === ([], [0, 0, 0])
-    cosineIs h way = close [approachCosine way + 2] [2 - dot (vector (hitNormal h)) (approachDirection way)]
-    addUp s = close (three (shareTotal s)) (foldr (zipWith (+) . three . snd) [0, 0, 0] (shareTerms s))
+    cosineIs h way = approachCosine way === negate (dot (vector (hitNormal h)) (approachDirection way))
+    addUp s = within (roundings 4) (three (shareTotal s)) (foldr (zipWith (+) . three . snd) [0, 0, 0] (shareTerms s))
     ofTerm r h s way open term c = case term of
-      DiffuseTerm -> close (three c) (map (* (approachFactor way * approachCosine way)) (zipWith (*) light (three (diffuseOf (hitColours h)))))
-      -- Half way between light and viewer, or mirrored light and viewer; the power costs its exponent in roundings.
+      DiffuseTerm -> within (roundings 4) (three c) (map (* (approachFactor way * approachCosine way)) (zipWith (*) light (three (diffuseOf (hitColours h)))))
+      -- Half way between light and viewer, or mirrored light and viewer.
       BlinnTerm -> highlight (let b = negate (direction r) - approachDirection way in dot n b / sqrt (dot b b))
       PhongTerm -> highlight (negate (dot (approachDirection way) (direction r)) + 2 * dot (approachDirection way) n * dot n (direction r))
       _ -> property True
@@ -361,26 +395,44 @@ sharesFollowFromTheirWays p =
         filtered = zipWith (*) (three (shareColour s)) (three open)
         shine = shininessOf (hitColours h)
         highlight x
-          | isNaN x || abs x < 1e-12 = property True
-          | otherwise = near 1e-10 (three c) (map (* (approachFactor way * (if x < 0 then 0 else x ** shine))) (zipWith (*) light (three (specularOf (hitColours h)))))
+          -- Light and viewer are exactly opposite.
+          | isNaN x = three c === [0, 0, 0]
+          | abs x < 2 ** (-40) = property True
+          | otherwise = within (expm1 (shine * roundings 32 / abs x) + shine * roundings 1 + roundings 6) (three c) (map (* (approachFactor way * (if x < 0 then 0 else x ** shine))) (zipWith (*) light (three (specularOf (hitColours h)))))
 
--- | What is thrown back leaves at the angle at which it came, and what passes obeys Snell's law, n1 sin a1 = n2 sin a2; nothing passes where n1 sin a1 > n2.
+-- | What is thrown back leaves at the angle at which it came, and what passes obeys Snell's law, n1 sin a1 = n2 sin a2; nothing passes where n1 sin a1 > n2. Directions stay unit.
+--
+-- An angle is told to 10 roundings: the cross product has 3 and its length 4, the inner product 3, the arc tangent 3. A normal's square is 1 to 10 roundings, so that a mirrored
+-- direction leans by 20, and by 9 of its own.
+--
+-- Of a refracted direction, with r = n1 \/ n2, the part along the surface has 3 r + 2 roundings, and the cosine c 8, of which r^2 (1 - c^2) makes 18 r^2 + 6. Together its
+-- squared length is 1 to 18 r^2 + 38 r + 26 roundings, and its angle's sine has half of that, 3 r + 2, and those of the two angles, 12 (1 + r): all are below 48 (1 + r^2).
+-- Where the squared length of what arrives is off by a part, that part comes back r^2 times as much.
 bouncesObeyTheLaws :: Pictured -> Property
-bouncesObeyTheLaws p = conjoin [counterexample (show (bounceKind b, bounceAngleIn b)) (ofBounce b) | s <- storySamples (storyOf p), r <- raysOf (sampleRay s), Just h <- [rayHit r], b <- hitBounces h]
+bouncesObeyTheLaws p =
+  conjoin
+    [ counterexample (show (bounceKind b, bounceAngleIn b)) (ofBounce (excess r) b)
+      | s <- storySamples (storyOf p),
+        r <- raysOf (sampleRay s),
+        Just h <- [rayHit r],
+        b <- hitBounces h
+    ]
+    .&&. conjoin [counterexample "unit" (excess (sampleRay s) <= roundings 10) | s <- storySamples (storyOf p)]
   where
-    ofBounce b = case (bounceKind b, bounceSequel b) of
-      (Reflection, Followed out next) -> near 1e-12 [out + 1] [bounceAngleIn b + 1] .&&. rayCause next === ByReflection
-      (Refraction n1 n2 _, Followed out next) -> near 1e-12 [n1 * sin (bounceAngleIn b) + 1] [n2 * sin out + 1] .&&. rayCause next === ByRefraction .&&. rayIndex next === n2
-      (Refraction n1 n2 _, NotFollowed TotalReflection) -> property (n1 * sin (bounceAngleIn b) >= n2 * (1 - 1e-12))
+    excess r = abs (quadrance (direction (rayItself r)) - 1)
+    ofBounce e b = case (bounceKind b, bounceSequel b) of
+      (Reflection, Followed out next) ->
+        counterexample (show out) (abs (out - bounceAngleIn b) <= roundings 64) .&&. staysUnit 1 e next .&&. rayCause next === ByReflection
+      (Refraction n1 n2 _, Followed out next) ->
+        counterexample (show out) (abs (n1 * sin (bounceAngleIn b) - n2 * sin out) <= n2 * lean (n1 / n2) e)
+          .&&. staysUnit (n1 / n2) e next
+          .&&. rayCause next === ByRefraction
+          .&&. rayIndex next === n2
+      (Refraction n1 n2 _, NotFollowed TotalReflection) -> property (n1 * sin (bounceAngleIn b) >= n2 * (1 - lean (n1 / n2) e))
       (Reflection, NotFollowed o) -> property (o `elem` [DepthReached, TooManyRays])
       (Refraction {}, NotFollowed _) -> property True
+    staysUnit r e next = counterexample (show (excess next)) (excess next <= r * r * e + (1 + r * r) * roundings 48)
+    lean r e = (1 + r * r) * (roundings 48 + e / 2)
 
 three :: Colour -> [Double]
 three (Colour r g b _) = [r, g, b]
-
--- | Equal but for some roundings, none of which cancel.
-close :: [Double] -> [Double] -> Property
-close = near 1e-13
-
-near :: Double -> [Double] -> [Double] -> Property
-near bound xs ys = counterexample (show xs <> " is not " <> show ys) (length xs == length ys && and (zipWith (\x y -> abs (x - y) <= bound * abs y + 1e-300) xs ys))
