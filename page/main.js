@@ -19,8 +19,10 @@ import { readOut } from "./readout.js";
 import { Status } from "./status.js";
 import { SceneText } from "./text.js";
 import { followTheme } from "./theme.js";
+import { takeToken } from "./token.js";
 import { counted, currentLanguage, otherLanguage, say, speak } from "./words.js";
 
+takeToken();
 followTheme(byId("theme"));
 speak(currentLanguage());
 
@@ -118,6 +120,10 @@ const connection = new Connection({
     status.lose();
     show();
   },
+  refused() {
+    status.refuse();
+    show();
+  },
 });
 
 // ---------------------------------------------------------------------------
@@ -128,6 +134,7 @@ function show() {
   status.show(hasFaults);
   text.showSaved();
   showNotice([
+    { holds: status.isRefused, text: say("refused"), isGrave: true },
     { holds: status.isLost && status.isGreeted, text: say("lost"), offers: ["retry"], isGrave: true },
     { holds: text.tooLong !== null, text: say("tooLong", counted(text.tooLong ?? 0), counted(text.mostBytes)) },
     { holds: text.isInConflict, text: say("conflict"), offers: ["reload", "overwrite"] },
@@ -187,6 +194,9 @@ listenToKeys({
   },
   escape: () => inquiry.close(),
 });
+
+// The address of another run was put into the address bar.
+addEventListener("hashchange", () => takeToken() && connection.open());
 
 addEventListener("beforeunload", (event) => {
   if (status.isLost && text.isUnsent) event.preventDefault();

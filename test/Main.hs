@@ -4,6 +4,7 @@ module Main
   )
 where
 
+import qualified Dioptre.Command.BrowserSpec
 import qualified Dioptre.Command.CheckSpec
 import qualified Dioptre.Command.CommandSpec
 import qualified Dioptre.Command.ConformSpec
@@ -130,6 +131,7 @@ main = do
 specs :: Spec
 specs = do
   describe "The house" StructureSpec.spec
+  describe "Dioptre.Command.Browser" Dioptre.Command.BrowserSpec.spec
   describe "Dioptre.Command.Check" Dioptre.Command.CheckSpec.spec
   describe "Dioptre.Command.Command" Dioptre.Command.CommandSpec.spec
   describe "Dioptre.Command.Conform" Dioptre.Command.ConformSpec.spec

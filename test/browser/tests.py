@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import png
+from page import Page
 from program import PROJECT, Program, checked, explained, rendered, until
 from selenium.webdriver.common.keys import Keys
 from trial import holds, same
@@ -379,26 +380,30 @@ def in_french(page, known):
 # Who may speak with the program
 
 PROBE = """
-    const [address, told] = arguments;
-    const named = async (name, attempt) => [name, await Promise.race([attempt, new Promise((late) => setTimeout(() => late("no answer"), 20000))])];
-    const fetched = (path) => fetch(address + path).then((answer) => (answer.ok ? "read" : "refused"), () => "refused");
+    const [site, token, told] = arguments;
+    const named = token === null ? "" : `token=${token}`;
+    const result = async (name, attempt) => [name, await Promise.race([attempt, new Promise((late) => setTimeout(() => late("no answer"), 20000))])];
+    const fetched = (path) => fetch(site + path).then((answer) => (answer.ok ? "read" : "refused"), () => "refused");
     Promise.all([
-      named("socket", new Promise((done) => {
-        const socket = new WebSocket(address.replace("http", "ws") + "live");
+      result("socket", new Promise((done) => {
+        const socket = new WebSocket(`${site.replace("http", "ws")}live?${named}`);
         socket.onopen = () => done("opened");
         socket.onerror = () => done("refused");
       })),
-      named("page", fetched("")),
-      named("picture", fetched("picture.png?render=1")),
-      named("image", new Promise((done) => {
+      result("page", fetched("")),
+      result("picture", fetched(`picture.png?render=1&${named}`)),
+      result("image", new Promise((done) => {
         const image = new Image();
         image.onload = () => done("read");
         image.onerror = () => done("refused");
-        image.src = address + "picture.png?render=1";
+        image.src = `${site}picture.png?render=1&${named}`;
       })),
-      named("script", import(address + "words.js").then(() => "read", () => "refused")),
+      result("script", import(site + "words.js").then(() => "read", () => "refused")),
     ]).then((results) => told(Object.fromEntries(results)));
 """
+
+
+EVERYTHING = ("socket", "page", "picture", "image", "script")
 
 
 class Elsewhere(http.server.BaseHTTPRequestHandler):
@@ -421,9 +426,8 @@ def a_page_from_elsewhere_is_refused(trial):
     program = trial.view(trial.scene(SCENE))
     page = trial.open(program)
     page.wait_for_state("done")
-    everything = ("socket", "page", "picture", "image", "script")
     # What refuses the other page does not refuse its own.
-    same(trial.browser.run_until_told(PROBE, program.address), dict.fromkeys(everything, "opened") | dict.fromkeys(everything[1:], "read"), "what the own page gets")
+    same(trial.browser.run_until_told(PROBE, program.site, program.token), {"socket": "opened"} | dict.fromkeys(EVERYTHING[1:], "read"), "what the own page gets")
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Elsewhere)
     trial.ends.callback(server.server_close)
     trial.ends.callback(server.shutdown)
@@ -432,16 +436,48 @@ def a_page_from_elsewhere_is_refused(trial):
     for host in ("127.0.0.1", "localhost", "evil.example"):
         trial.browser.tab(f"http://{host}:{server.server_port}/")
         same(trial.browser.run("return document.title"), "elsewhere", "the title of the page from elsewhere")
-        same(trial.browser.run_until_told(PROBE, program.address), dict.fromkeys(everything, "refused"), f"what a page of {host} gets")
+        # Not even with the token
+        for token in (None, program.token):
+            same(trial.browser.run_until_told(PROBE, program.site, token), dict.fromkeys(EVERYTHING, "refused"), f"what a page of {host} gets with the token {token}")
+
+
+@test
+def without_the_token_of_this_run_nothing_is_read_or_written(trial):
+    path = trial.scene(SCENE)
+    program = trial.view(path)
+    page = trial.open(program)
+    page.wait_for_state("done")
+    same(page.read("return location.href"), program.site, "the page's address when it has taken the token")
+    holds(program.token not in page.read("return document.documentElement.outerHTML.replace(/picture.png[^\"]*/, '')"), "the token is seen on the page")
+    other = ("0" if program.token[0] != "0" else "1") + program.token[1:]
+    trial.expect_errors(r"403|WebSocket")
+    for token in (None, "", other, program.token[:-1], program.token + "0", program.token.upper() + " "):
+        got = trial.browser.run_until_told(PROBE, program.site, token)
+        same(got, dict.fromkeys(("socket", "picture", "image"), "refused") | dict.fromkeys(("page", "script"), "read"), f"what one gets with the token {token!r}")
+    # Loaded anew, the page still has it.
+    page.driver.refresh()
+    page.wait_for_picture(trial.rendered(SCENE))
+    same(page.typed, SCENE, "the text of the page that is loaded anew")
+    # Other tabs have not, and say what is to be done.
+    for address in (program.site, f"{program.site}#token={other}"):
+        stranger = Page(trial.browser, address)
+        stranger.wait_for_state("refused")
+        holds(stranger.is_seen("notice") and "the whole address" in stranger.text("notice-text"), f"the page says: {stranger.text('notice-text')!r}")
+        same((stranger.typed, stranger.text("file"), stranger.render), ("", "", None), "what the page shows")
+        stranger.read("location.href = arguments[0]", program.address)
+        stranger.wait_for_picture(trial.rendered(SCENE))
+        holds(not stranger.is_seen("notice"), "the notice stays")
+    same(path.read_text(), SCENE, "the scene's file")
 
 
 @test
 def another_name_for_this_machine_is_refused(trial):
     program = trial.view(trial.scene(SCENE))
-    trial.expect_errors(r"evil\.example.*(403|Cross-Origin-Opener-Policy)")
+    # Under the name localhost there is a page, which has no token.
+    trial.expect_errors(r"evil\.example.*(403|Cross-Origin-Opener-Policy)|localhost.*403")
     trial.browser.tab(f"http://evil.example:{program.port}/")
     shown = trial.browser.run("return [performance.getEntriesByType('navigation')[0].responseStatus, document.body.textContent.trim()]")
-    same(shown, [403, "this server answers only to the name 127.0.0.1 or localhost"], "what a browser sees under another name")
+    same(shown, [403, "this server answers only to the name 127.0.0.1 or localhost / ce serveur ne répond qu'au nom 127.0.0.1 ou localhost"], "what a browser sees under another name")
     trial.browser.tab(f"http://localhost:{program.port}/")
     same(trial.browser.run("return performance.getEntriesByType('navigation')[0].responseStatus"), 200, "what a browser sees under the name localhost")
 
@@ -461,7 +497,8 @@ def an_edit_ends_a_slow_picture_at_once(trial):
 
 @test
 def a_fault_in_a_slow_picture_brings_the_last_good_one_back(trial):
-    page = trial.open(trial.view(trial.scene(SCENE)))
+    program = trial.view(trial.scene(SCENE))
+    page = trial.open(program)
     good = trial.rendered(SCENE)
     page.wait_for_picture(good)
     page.type_over("sampling 1\n", "sampling 10000\n")
@@ -469,7 +506,7 @@ def a_fault_in_a_slow_picture_brings_the_last_good_one_back(trial):
     page.type_over("recursive_level 3", "recursive_levle 3")
     page.wait_for_state("faults")
     page.wait(lambda: page.render is not None and page.picture() == good, "the last good picture is there")
-    same(page.read("return document.getElementById('download').getAttribute('href')"), f"/picture.png?render={page.render}", "what there is to download")
+    same(page.read("return document.getElementById('download').getAttribute('href')"), f"{program.site}picture.png?render={page.render}&token={program.token}", "what there is to download")
 
 
 @test
@@ -502,7 +539,7 @@ def Ctrl_C_ends_the_program_and_leaves_nothing_behind(trial):
     page = trial.open(program)
     page.wait_for_state("drawing")
     page.type_over(RAY, WIDER)
-    trial.expect_errors(r"WebSocket")
+    trial.expect_errors(r"WebSocket|ERR_CONNECTION_REFUSED")
     seconds = program.interrupt()
     trial.note = f"in {seconds:.2f} s"
     holds(seconds < 10, f"the program took {seconds:.1f} s to end")
@@ -519,7 +556,7 @@ def when_the_program_ends_the_page_says_so_and_keeps_the_typed_text(trial):
     program = trial.view(path)
     page = trial.open(program)
     page.wait_for_state("done")
-    trial.expect_errors(r"WebSocket")
+    trial.expect_errors(r"WebSocket|ERR_CONNECTION_REFUSED|403")
     program.interrupt()
     page.wait_for_state("lost")
     holds(page.is_seen("notice") and page.text("notice-text").startswith("The program has ended"), f"the page says: {page.text('notice-text')!r}")
@@ -527,8 +564,11 @@ def when_the_program_ends_the_page_says_so_and_keeps_the_typed_text(trial):
     wider = SCENE.replace(RAY, WIDER)
     same(page.typed, wider, "the text in the editor")
     page.wait(lambda: page.seconds_of_rest() > 0.5, "typing has rested while there was no program")
-    # The page finds the program again by itself, which draws what was typed.
-    trial.view(path, "--port", program.port)
+    # The page finds the program again by itself, which does not know it. With the new address in the same tab, it draws what was typed.
+    again = trial.view(path, "--port", program.port)
+    page.wait_for_state("refused")
+    same(page.typed, wider, "the text in the editor")
+    page.driver.get(again.address)
     page.wait_for_picture(trial.rendered(wider))
     same(page.typed, wider, "the text in the editor")
     same(path.read_text(), SCENE, "the scene's file")

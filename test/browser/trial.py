@@ -46,8 +46,11 @@ def trying(dioptre, browser):
     """What a test has at hand. Whatever happens, what it started is ended."""
     with tempfile.TemporaryDirectory(prefix="dioptre-browser-test-") as folder, contextlib.ExitStack() as ends:
         trial = Trial(dioptre, browser, folder, ends)
-        ends.callback(browser.close_tabs)
-        yield trial
+        try:
+            yield trial
+        finally:
+            # Before their programs end, for which pages would look.
+            browser.close_tabs()
 
 
 def same(found, expected, what):
