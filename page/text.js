@@ -49,13 +49,13 @@ export class SceneText {
       const isTyped = this.isUnsent || this.editor.isPending || this.sent !== null;
       this.isFirst = false;
       this.sent = null;
-      if (isTyped) this.editor.isPending || this.send();
-      else if (this.editor.text !== text) this.editor.replace(text);
+      if (!isTyped) this.editor.replace(text);
+      else if (!this.editor.isPending) this.send();
       return;
     }
     if (isOwn && isWaiting) return;
     this.sent = null;
-    if (!this.editor.isPending && !this.isUnsent && this.editor.text !== text) this.editor.replace(text);
+    if (!this.editor.isPending && !this.isUnsent) this.editor.replace(text);
   }
 
   /** Says whether the file has it. */

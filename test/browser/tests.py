@@ -195,6 +195,117 @@ def a_second_page_sees_what_is_typed_on_the_first(trial):
     same(second.typed, wider, "the text in the other page's editor")
 
 
+@test
+def what_is_typed_is_not_overtaken_by_a_late_message(trial):
+    # Every message of the program arrives half a second late, in their order.
+    late = """
+        const listen = WebSocket.prototype.addEventListener;
+        WebSocket.prototype.addEventListener = function (kind, listener) {
+          listen.call(this, kind, kind === "message" ? (event) => setTimeout(listener, 500, event) : listener);
+        };
+    """
+    # Notes each text of the editor, and how often it has been told of the scene.
+    watch = """
+        window.texts = [];
+        const editor = document.getElementById("editor");
+        const note = () => { if (editor.value !== texts.at(-1)) texts.push(editor.value); requestAnimationFrame(note); };
+        note();
+        editor.addEventListener("input", note);
+    """
+    path = trial.scene(SCENE)
+    page = trial.open(trial.view(path), late)
+    page.wait_for_picture(trial.rendered(SCENE))
+    page.read(watch + "return true")
+    page.type_over(RAY, "ray      1.")
+    # Each is sent off on its own, and its echo comes when the next ones have been typed.
+    for letter in "23456789":
+        page.press(letter)
+        page.wait(lambda: page.seconds_of_rest() > 0.2, "typing has rested")
+    typed = SCENE.replace(RAY, "ray      1.23456789")
+    page.wait_for_picture(trial.rendered(typed))
+    same(page.typed, typed, "the text in the editor")
+    texts = page.read("return texts")
+    same(len(set(texts)), len(texts), "how many different texts there were, of all")
+    # What somebody else writes meanwhile to the file is not taken over, and is not lost.
+    page.press("1")
+    path.write_text(SCENE + "# by somebody else\n")
+    page.wait(lambda: page.is_seen("reload"), "the page offers to take the file's text")
+    same(page.typed, typed.replace("1.23456789", "1.234567891"), "the text in the editor")
+
+
+# ---------------------------------------------------------------------------
+# Undoing
+
+
+@test
+def what_comes_from_the_file_can_be_undone(trial):
+    path = trial.scene(SCENE)
+    page = trial.open(trial.view(path))
+    page.wait_for_picture(trial.rendered(SCENE))
+    # There was nothing before the first text.
+    page.click("#editor")
+    page.press((Keys.CONTROL, "z"))
+    same(page.typed, SCENE, "the text in the editor")
+    page.type_over("color red", "color blue")
+    blue = SCENE.replace("color red", "color blue")
+    page.wait_for_picture(trial.rendered(blue))
+    page.press((Keys.CONTROL, "s"))
+    page.wait(lambda: page.text("saved") == "saved" and path.read_text() == blue, "it is saved")
+    # What looks like markup, or is beyond 16 bits, is a text like any other.
+    other = blue.replace(RAY, WIDER) + '# <img src=x onerror="document.title = 1"> &amp; &lt; \U0001f534\n\n  \t\n'
+    another = other.replace("\U0001f534", "\U0001f535").replace("image_file_name ball\n", "")
+    # One of them with the keyboard in the editor, one with it elsewhere
+    caret = blue.index("material_name floor")
+    page.read("document.activeElement.setSelectionRange(arguments[0], arguments[0])", caret)
+    path.write_text(other)
+    page.wait_for_picture(trial.rendered(other))
+    same(page.typed, other, "the text in the editor")
+    same(page.read("return document.activeElement.id"), "editor", "where the keyboard is")
+    same(page.read("return document.activeElement.selectionStart"), other.index("material_name floor"), "where the caret is")
+    page.click("#save" if page.read("return !document.getElementById('save').disabled") else "#keys-button")
+    page.press(Keys.ESCAPE)
+    focus = page.read("return document.activeElement.id")
+    path.write_text(another)
+    page.wait(lambda: page.typed == another, "the file's text is there")
+    same(page.read("return document.activeElement.id"), focus, "where the keyboard is")
+    # Back, step by step, and forth; the program draws what is there.
+    page.click("#editor")
+    for text in (other, blue):
+        page.press((Keys.CONTROL, "z"))
+        same(page.typed, text, "the text that Ctrl+Z brings back")
+    # What was typed is undone letter by letter or word by word, as the browser likes.
+    until(lambda: page.press((Keys.CONTROL, "z")) or page.typed == SCENE, "Ctrl+Z brings back what was there before all typing", 10)
+    page.wait_for_picture(trial.rendered(SCENE))
+    same(page.text("saved"), "not saved", "what the page says of the file")
+    until(lambda: page.press((Keys.CONTROL, Keys.SHIFT, "z")) or page.typed == blue, "Ctrl+Shift+Z brings it again", 10)
+    for text in (other, another):
+        page.press((Keys.CONTROL, Keys.SHIFT, "z"))
+        same(page.typed, text, "the text that Ctrl+Shift+Z brings back")
+    page.wait(lambda: page.text("saved") == "saved", "the page says that the file has it")
+
+
+@test
+def a_long_text_comes_from_the_file_and_can_be_undone(trial):
+    path = trial.scene(SCENE)
+    page = trial.open(trial.view(path))
+    page.wait_for_picture(trial.rendered(SCENE))
+    long = SCENE + "".join(f"# <line {k}> of many\n" for k in range(4000))
+    start = time.time()
+    path.write_text(long)
+    page.wait(lambda: page.read("return document.getElementById('editor').value.length") == len(long), "the long text is there")
+    trial.note = f"{time.time() - start:.1f} s after it was written"
+    same(page.typed, long, "the text in the editor")
+    page.click("#editor")
+    page.press((Keys.CONTROL, "z"))
+    same(page.typed, SCENE, "the text that Ctrl+Z brings back")
+    # One that would keep the page waiting is only taken over.
+    longer = SCENE + "".join(f"# <line {k}> of many\n" for k in range(40000))
+    path.write_text(longer)
+    page.wait(lambda: page.is_seen("reload"), "the page offers to take the file's text")
+    page.click("#reload")
+    page.wait(lambda: page.read("return document.getElementById('editor').value.length") == len(longer), "the longer text is there", 5)
+
+
 # ---------------------------------------------------------------------------
 # Faults
 
