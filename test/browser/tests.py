@@ -181,6 +181,28 @@ def an_edit_of_the_file_from_outside_changes_picture_and_text(trial):
 
 
 @test
+def a_texture_that_comes_or_is_saved_changes_the_picture(trial):
+    path = trial.scene(SCENE.replace("material\n  name  paint\n", "texture_material\n  name  paint\n  texture_kd skin.png\n"))
+    skin = path.with_name("skin.png")
+    page = trial.open(trial.view(path))
+    page.wait_for_state("done")
+    same([one["code"] for one in page.diagnostics()], [one["code"] for one in checked(trial.dioptre, path)], "what is wrong while there is no texture")
+    holds(page.diagnostics(), "nothing is wrong while there is no texture")
+    before = page.picture()
+    for text in (SCENE, SCENE.replace(RAY, WIDER)):
+        texture = rendered(trial.dioptre, trial.scene(text))
+        start = time.time()
+        skin.write_bytes(texture)
+        expected = png.pixels(rendered(trial.dioptre, path))
+        holds(expected != before, "the texture does not matter")
+        page.wait_for_picture(expected)
+        trial.note = f"{page.finished_at() - start:.2f} s after it was written"
+        same(page.diagnostics(), [], "what is wrong")
+        same((page.text("saved"), page.read("return document.body.dataset.version")), ("saved", "1"), "the text")
+        before = expected
+
+
+@test
 def a_second_page_sees_what_is_typed_on_the_first(trial):
     program = trial.view(trial.scene(SCENE))
     second = trial.open(program)

@@ -5,7 +5,7 @@
 -- Description : The viewer: a page in the browser, and what it talks to
 --
 -- > the file ---watch---> desk <---typing--- page, page ...
--- >                       |  \----news--->
+-- > other files --watch--|  \----news--->
 -- >                     painter
 --
 -- It listens on 127.0.0.1 only, and only to whoever names the run's token ("Dioptre.View.Guard" says who may speak there). Nothing that a page says reaches the disk, except that the text is written to the scene's file where a page asks for that.
@@ -40,6 +40,7 @@ import Dioptre.View.Guard (Token, Verdict (..), Wish (..), address, newToken, ve
 import qualified Dioptre.View.Guard as Guard
 import Dioptre.View.Page (pageFile)
 import Dioptre.View.Painter (Table, paintDesk)
+import Dioptre.View.Surroundings (watchingSurroundings)
 import Dioptre.View.Watch (watching)
 import Dioptre.View.Wording (rejection)
 import qualified Network.HTTP.Types as Http
@@ -90,7 +91,7 @@ withViewer settings act = do
       withAsync serve $ \server -> withAsync (paintDesk path table) $ \painter -> do
         link server
         link painter
-        watched (act (Viewer (address token port) table))
+        watched (watchingSurroundings table (act (Viewer (address token port) table)))
   where
     path = sourceName (settingSource settings)
 
