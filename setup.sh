@@ -17,6 +17,7 @@ libraries='
   libghc-async-dev
   libghc-base64-bytestring-dev
   libghc-edit-distance-dev
+  libghc-entropy-dev
   libghc-file-embed-dev
   libghc-fsnotify-dev
   libghc-hspec-dev

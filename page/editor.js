@@ -1,17 +1,27 @@
 // The scene's text: an area to type in, with line numbers, and behind it a layer of marks on what is faulty.
 //
 // A line is never wrapped, so that each is as high as every other, and only the faulty lines have to stand in the layer.
+//
+// A text that comes from elsewhere is put in as an edit of what stands there, which the browser undoes as it undoes typing. Setting the area's value, or a range of it, would
+// forget what can be undone. The command for that, `execCommand`, is called obsolete and has no successor. Of its words Chromium takes seconds for `insertText` of a few
+// hundred lines, as it lays out the page for each, and milliseconds for `insertHTML`, of which an area keeps the text only.
 
 import { byId, element } from "./element.js";
 
 const restingTime = 150;
+
+/** So many letters at once are put in such that this can be undone. It takes about as long as can be waited for, and more letters by far longer. */
+const mostUndone = 100000;
 
 export class Editor {
   /** Told of `typed` at once, and of `rested` when typing has rested. */
   constructor(listener) {
     this.listener = listener;
     this.area = byId("editor");
+    this.isBlank = true;
     this.area.addEventListener("input", () => {
+      if (this.isReplacing) return;
+      this.isBlank = false;
       this.#number();
       clearTimeout(this.timer);
       this.timer = setTimeout(() => this.flush(), restingTime);
@@ -26,14 +36,35 @@ export class Editor {
     return this.area.value;
   }
 
-  /** Takes over a text; the caret stays where it was. */
+  /** Takes over a text; the caret stays where it was. Undoing brings back the text before, unless this is the first one. */
   replace(text) {
-    const { selectionStart, selectionEnd, scrollTop, scrollLeft } = this.area;
-    this.area.value = text;
-    this.area.setSelectionRange(selectionStart, selectionEnd);
-    this.area.scrollTo(scrollLeft, scrollTop);
     this.#forget();
+    if (text === this.area.value) return;
+    const { selectionStart, selectionEnd, selectionDirection, scrollTop, scrollLeft } = this.area;
+    const change = difference(this.area.value, text);
+    if (!this.isBlank) this.#edit(change);
+    if (this.area.value !== text) this.area.value = text;
+    this.isBlank = false;
+    this.area.setSelectionRange(moved(selectionStart, change), moved(selectionEnd, change), selectionDirection);
+    this.area.scrollTo(scrollLeft, scrollTop);
     this.#number();
+  }
+
+  /** Does it as if it were typed. Where the browser cannot, nothing happens. */
+  #edit({ start, end, inserted }) {
+    const before = document.activeElement;
+    this.area.focus({ preventScroll: true });
+    // While a dialog is open the area cannot have the keyboard, and a command would go elsewhere.
+    if (document.activeElement === this.area && inserted.length <= mostUndone) {
+      this.isReplacing = true;
+      this.area.setSelectionRange(start, end);
+      if (inserted === "") document.execCommand("delete");
+      else document.execCommand("insertHTML", false, asMarkup(inserted)) || document.execCommand("insertText", false, inserted);
+      this.isReplacing = false;
+    }
+    if (before === this.area) return;
+    this.area.blur();
+    before?.focus({ preventScroll: true });
   }
 
   /** Sends off at once what is waiting for typing to rest. */
@@ -95,6 +126,29 @@ export class Editor {
     for (const id of ["numbers", "signs"]) byId(id).style.transform = `translateY(${-scrollTop}px)`;
   }
 }
+
+/** One text as an edit of another: what is inserted instead of the letters from `start` to `end`. */
+function difference(old, text) {
+  const least = Math.min(old.length, text.length);
+  let start = 0;
+  while (start < least && old[start] === text[start]) start += 1;
+  let same = 0;
+  while (same < least - start && old[old.length - 1 - same] === text[text.length - 1 - same]) same += 1;
+  // The two halves of a letter beyond 16 bits stay together.
+  if (isHighHalf(old[start - 1])) start -= 1;
+  if (same > 0 && isHighHalf(old[old.length - 1 - same])) same -= 1;
+  return { start, end: old.length - same, inserted: text.slice(start, text.length - same) };
+}
+
+const isHighHalf = (unit) => unit >= "\ud800" && unit <= "\udbff";
+
+/** Where a place of the old text is after an edit. */
+function moved(place, { start, end, inserted }) {
+  if (place <= start) return place;
+  return place >= end ? place - end + start + inserted.length : Math.min(place, start + inserted.length);
+}
+
+const asMarkup = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 
 const worst = (diagnostics) => ["error", "warning", "note"].find((severity) => diagnostics.some((d) => d.severity === severity));
 

@@ -57,6 +57,7 @@ const words = {
   lastGood: ["The text has faults. This is the last good picture.", "Le texte a des fautes. Voici la dernière bonne image."],
   drawAnyway: ["Draw anyway", "Dessiner quand même"],
   lost: ["The program has ended, or cannot be reached. What you type is kept here.", "Le programme s’est arrêté, ou ne répond pas. Ce que vous tapez est gardé ici."],
+  refused: ["The program does not know this page’s token. Put the whole address that it printed into this tab; what you type here is kept.", "Le programme ne connaît pas le jeton de cette page. Mettez dans cet onglet l’adresse entière qu’il a affichée ; ce que vous tapez ici est gardé."],
   retry: ["Try now", "Réessayer"],
   conflict: ["The file was changed while the text here is not saved.", "Le fichier a changé, alors que le texte d’ici n’est pas enregistré."],
   reload: ["Take the file’s text", "Prendre le texte du fichier"],

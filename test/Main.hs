@@ -4,6 +4,7 @@ module Main
   )
 where
 
+import qualified Dioptre.Command.BrowserSpec
 import qualified Dioptre.Command.CheckSpec
 import qualified Dioptre.Command.CommandSpec
 import qualified Dioptre.Command.ConformSpec
@@ -117,6 +118,7 @@ import qualified Dioptre.View.FrameSpec
 import qualified Dioptre.View.GuardSpec
 import qualified Dioptre.View.NewsSpec
 import qualified Dioptre.View.ServerSpec
+import qualified Dioptre.View.SurroundingsSpec
 import qualified DioptreSpec
 import qualified FuzzSpec
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding, utf8)
@@ -138,6 +140,7 @@ main = do
 specs :: Spec
 specs = do
   describe "The house" StructureSpec.spec
+  describe "Dioptre.Command.Browser" Dioptre.Command.BrowserSpec.spec
   describe "Dioptre.Command.Check" Dioptre.Command.CheckSpec.spec
   describe "Dioptre.Command.Command" Dioptre.Command.CommandSpec.spec
   describe "Dioptre.Command.Conform" Dioptre.Command.ConformSpec.spec
@@ -251,6 +254,7 @@ specs = do
   describe "Dioptre.View.Guard" Dioptre.View.GuardSpec.spec
   describe "Dioptre.View.News" Dioptre.View.NewsSpec.spec
   describe "Dioptre.View.Server" Dioptre.View.ServerSpec.spec
+  describe "Dioptre.View.Surroundings" Dioptre.View.SurroundingsSpec.spec
   describe "Dioptre" DioptreSpec.spec
   describe "Fuzz" FuzzSpec.spec
   describe "Guide" GuideSpec.spec

@@ -34,6 +34,7 @@ import Data.Bifunctor (first)
 import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (sortOn)
+import Data.Map.Strict (Map)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
@@ -44,7 +45,7 @@ import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Load.Amount (ModelRead (..))
 import Dioptre.Load.Decoding (attempted)
 import Dioptre.Load.Models (loadModels, sceneSite)
-import Dioptre.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
+import Dioptre.Load.Shelf (Found, Shelf (..), emptyShelf, loadPictures)
 import Dioptre.Model.Library (Library (..))
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (decode)
@@ -53,7 +54,7 @@ import Dioptre.Render.Row (Plan, plan)
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Scene (Scene)
 import Dioptre.Scene.Check (checkSceneFile, pictureNames)
-import Dioptre.Source.Diagnostic (Diagnostic (..))
+import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble)
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Text (Source, sourceName)
 import qualified Dioptre.Source.Text as Source
@@ -72,7 +73,9 @@ data Loaded = Loaded
     -- | The models' files, as their reading ended.
     loadedModels :: [ModelRead],
     -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each in its order.
-    loadedDiagnostics :: [(Source, [Diagnostic])]
+    loadedDiagnostics :: [(Source, [Diagnostic])],
+    -- | What was found for each name of a file, which the scene or one of its models or their materials has, and which was looked for from that folder on.
+    loadedSought :: Map (FilePath, Text) (Either FileTrouble Found)
   }
 
 -- | The scene in the file at a path, with its pictures and models; or why there is none, in words.
@@ -94,7 +97,8 @@ loadSource l source = do
             loadedAssets = assets,
             loadedLibrary = Library (Vector.fromList (toList (shelfLibrary shelf))) instances,
             loadedModels = toList (shelfRead shelf),
-            loadedDiagnostics = own : toList (shelfFaults shelf)
+            loadedDiagnostics = own : toList (shelfFaults shelf),
+            loadedSought = shelfFound shelf
           }
   loaded <$ evaluate (sum (map (length . snd) (loadedDiagnostics loaded)))
 

@@ -101,12 +101,14 @@ class Browser:
         """A script that calls its last argument with its result."""
         return self.driver.execute_async_script(script, *arguments)
 
-    def tab(self, address):
-        """Opens an address in a tab of its own, of 1280 by 800 pixels."""
+    def tab(self, address, script=""):
+        """Opens an address in a tab of its own, of 1280 by 800 pixels. A script runs before the page's own."""
         self.driver.switch_to.new_window("tab")
         self.driver.set_script_timeout(60)
         self.device("Emulation.setDeviceMetricsOverride", width=1280, height=800, deviceScaleFactor=1, mobile=False)
         self.device("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "light"}])
+        if script:
+            self.device("Page.addScriptToEvaluateOnNewDocument", source=script)
         self.driver.get(address)
         return self.driver.current_window_handle
 
@@ -129,10 +131,10 @@ class Browser:
 class Page:
     """The viewer's page in a tab."""
 
-    def __init__(self, browser, address):
+    def __init__(self, browser, address, script=""):
         self.browser = browser
         self.driver = browser.driver
-        self.handle = browser.tab(address)
+        self.handle = browser.tab(address, script)
         self.read(WATCH + "return true")
 
     def close(self):

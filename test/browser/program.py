@@ -3,6 +3,7 @@
 import json
 import os
 import queue
+import re
 import shutil
 import signal
 import subprocess
@@ -99,12 +100,13 @@ class Program:
     def __enter__(self):
         try:
             self.address = self.line()
-            if not self.address.startswith("http://127.0.0.1:") or not self.address.endswith("/"):
-                raise Failure(f"this is no address: {self.address!r}")
+            parts = re.fullmatch(r"(http://127\.0\.0\.1:(\d+)/)#token=([0-9a-f]{32})", self.address)
+            if not parts:
+                raise Failure(f"this is no address with a token: {self.address!r}")
         except BaseException:
             self.close()
             raise
-        self.port = int(self.address[len("http://127.0.0.1:") : -1])
+        self.site, self.port, self.token = parts[1], int(parts[2]), parts[3]
         return self
 
     def __exit__(self, *_):

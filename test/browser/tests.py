@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import png
+from page import Page
 from program import PROJECT, Program, checked, explained, rendered, until
 from selenium.webdriver.common.keys import Keys
 from trial import holds, same
@@ -180,6 +181,28 @@ def an_edit_of_the_file_from_outside_changes_picture_and_text(trial):
 
 
 @test
+def a_texture_that_comes_or_is_saved_changes_the_picture(trial):
+    path = trial.scene(SCENE.replace("material\n  name  paint\n", "texture_material\n  name  paint\n  texture_kd skin.png\n"))
+    skin = path.with_name("skin.png")
+    page = trial.open(trial.view(path))
+    page.wait_for_state("done")
+    same([one["code"] for one in page.diagnostics()], [one["code"] for one in checked(trial.dioptre, path)], "what is wrong while there is no texture")
+    holds(page.diagnostics(), "nothing is wrong while there is no texture")
+    before = page.picture()
+    for text in (SCENE, SCENE.replace(RAY, WIDER)):
+        texture = rendered(trial.dioptre, trial.scene(text))
+        start = time.time()
+        skin.write_bytes(texture)
+        expected = png.pixels(rendered(trial.dioptre, path))
+        holds(expected != before, "the texture does not matter")
+        page.wait_for_picture(expected)
+        trial.note = f"{page.finished_at() - start:.2f} s after it was written"
+        same(page.diagnostics(), [], "what is wrong")
+        same((page.text("saved"), page.read("return document.body.dataset.version")), ("saved", "1"), "the text")
+        before = expected
+
+
+@test
 def a_second_page_sees_what_is_typed_on_the_first(trial):
     program = trial.view(trial.scene(SCENE))
     second = trial.open(program)
@@ -192,6 +215,117 @@ def a_second_page_sees_what_is_typed_on_the_first(trial):
     trial.browser.driver.switch_to.window(second.handle)
     second.wait_for_picture(trial.rendered(wider))
     same(second.typed, wider, "the text in the other page's editor")
+
+
+@test
+def what_is_typed_is_not_overtaken_by_a_late_message(trial):
+    # Every message of the program arrives half a second late, in their order.
+    late = """
+        const listen = WebSocket.prototype.addEventListener;
+        WebSocket.prototype.addEventListener = function (kind, listener) {
+          listen.call(this, kind, kind === "message" ? (event) => setTimeout(listener, 500, event) : listener);
+        };
+    """
+    # Notes each text of the editor, and how often it has been told of the scene.
+    watch = """
+        window.texts = [];
+        const editor = document.getElementById("editor");
+        const note = () => { if (editor.value !== texts.at(-1)) texts.push(editor.value); requestAnimationFrame(note); };
+        note();
+        editor.addEventListener("input", note);
+    """
+    path = trial.scene(SCENE)
+    page = trial.open(trial.view(path), late)
+    page.wait_for_picture(trial.rendered(SCENE))
+    page.read(watch + "return true")
+    page.type_over(RAY, "ray      1.")
+    # Each is sent off on its own, and its echo comes when the next ones have been typed.
+    for letter in "23456789":
+        page.press(letter)
+        page.wait(lambda: page.seconds_of_rest() > 0.2, "typing has rested")
+    typed = SCENE.replace(RAY, "ray      1.23456789")
+    page.wait_for_picture(trial.rendered(typed))
+    same(page.typed, typed, "the text in the editor")
+    texts = page.read("return texts")
+    same(len(set(texts)), len(texts), "how many different texts there were, of all")
+    # What somebody else writes meanwhile to the file is not taken over, and is not lost.
+    page.press("1")
+    path.write_text(SCENE + "# by somebody else\n")
+    page.wait(lambda: page.is_seen("reload"), "the page offers to take the file's text")
+    same(page.typed, typed.replace("1.23456789", "1.234567891"), "the text in the editor")
+
+
+# ---------------------------------------------------------------------------
+# Undoing
+
+
+@test
+def what_comes_from_the_file_can_be_undone(trial):
+    path = trial.scene(SCENE)
+    page = trial.open(trial.view(path))
+    page.wait_for_picture(trial.rendered(SCENE))
+    # There was nothing before the first text.
+    page.click("#editor")
+    page.press((Keys.CONTROL, "z"))
+    same(page.typed, SCENE, "the text in the editor")
+    page.type_over("color red", "color blue")
+    blue = SCENE.replace("color red", "color blue")
+    page.wait_for_picture(trial.rendered(blue))
+    page.press((Keys.CONTROL, "s"))
+    page.wait(lambda: page.text("saved") == "saved" and path.read_text() == blue, "it is saved")
+    # What looks like markup, or is beyond 16 bits, is a text like any other.
+    other = blue.replace(RAY, WIDER) + '# <img src=x onerror="document.title = 1"> &amp; &lt; \U0001f534\n\n  \t\n'
+    another = other.replace("\U0001f534", "\U0001f535").replace("image_file_name ball\n", "")
+    # One of them with the keyboard in the editor, one with it elsewhere
+    caret = blue.index("material_name floor")
+    page.read("document.activeElement.setSelectionRange(arguments[0], arguments[0])", caret)
+    path.write_text(other)
+    page.wait_for_picture(trial.rendered(other))
+    same(page.typed, other, "the text in the editor")
+    same(page.read("return document.activeElement.id"), "editor", "where the keyboard is")
+    same(page.read("return document.activeElement.selectionStart"), other.index("material_name floor"), "where the caret is")
+    page.click("#save" if page.read("return !document.getElementById('save').disabled") else "#keys-button")
+    page.press(Keys.ESCAPE)
+    focus = page.read("return document.activeElement.id")
+    path.write_text(another)
+    page.wait(lambda: page.typed == another, "the file's text is there")
+    same(page.read("return document.activeElement.id"), focus, "where the keyboard is")
+    # Back, step by step, and forth; the program draws what is there.
+    page.click("#editor")
+    for text in (other, blue):
+        page.press((Keys.CONTROL, "z"))
+        same(page.typed, text, "the text that Ctrl+Z brings back")
+    # What was typed is undone letter by letter or word by word, as the browser likes.
+    until(lambda: page.press((Keys.CONTROL, "z")) or page.typed == SCENE, "Ctrl+Z brings back what was there before all typing", 10)
+    page.wait_for_picture(trial.rendered(SCENE))
+    same(page.text("saved"), "not saved", "what the page says of the file")
+    until(lambda: page.press((Keys.CONTROL, Keys.SHIFT, "z")) or page.typed == blue, "Ctrl+Shift+Z brings it again", 10)
+    for text in (other, another):
+        page.press((Keys.CONTROL, Keys.SHIFT, "z"))
+        same(page.typed, text, "the text that Ctrl+Shift+Z brings back")
+    page.wait(lambda: page.text("saved") == "saved", "the page says that the file has it")
+
+
+@test
+def a_long_text_comes_from_the_file_and_can_be_undone(trial):
+    path = trial.scene(SCENE)
+    page = trial.open(trial.view(path))
+    page.wait_for_picture(trial.rendered(SCENE))
+    long = SCENE + "".join(f"# <line {k}> of many\n" for k in range(4000))
+    start = time.time()
+    path.write_text(long)
+    page.wait(lambda: page.read("return document.getElementById('editor').value.length") == len(long), "the long text is there")
+    trial.note = f"{time.time() - start:.1f} s after it was written"
+    same(page.typed, long, "the text in the editor")
+    page.click("#editor")
+    page.press((Keys.CONTROL, "z"))
+    same(page.typed, SCENE, "the text that Ctrl+Z brings back")
+    # One that would keep the page waiting is only taken over.
+    longer = SCENE + "".join(f"# <line {k}> of many\n" for k in range(40000))
+    path.write_text(longer)
+    page.wait(lambda: page.is_seen("reload"), "the page offers to take the file's text")
+    page.click("#reload")
+    page.wait(lambda: page.read("return document.getElementById('editor').value.length") == len(longer), "the longer text is there", 5)
 
 
 # ---------------------------------------------------------------------------
@@ -379,26 +513,30 @@ def in_french(page, known):
 # Who may speak with the program
 
 PROBE = """
-    const [address, told] = arguments;
-    const named = async (name, attempt) => [name, await Promise.race([attempt, new Promise((late) => setTimeout(() => late("no answer"), 20000))])];
-    const fetched = (path) => fetch(address + path).then((answer) => (answer.ok ? "read" : "refused"), () => "refused");
+    const [site, token, told] = arguments;
+    const named = token === null ? "" : `token=${token}`;
+    const result = async (name, attempt) => [name, await Promise.race([attempt, new Promise((late) => setTimeout(() => late("no answer"), 20000))])];
+    const fetched = (path) => fetch(site + path).then((answer) => (answer.ok ? "read" : "refused"), () => "refused");
     Promise.all([
-      named("socket", new Promise((done) => {
-        const socket = new WebSocket(address.replace("http", "ws") + "live");
+      result("socket", new Promise((done) => {
+        const socket = new WebSocket(`${site.replace("http", "ws")}live?${named}`);
         socket.onopen = () => done("opened");
         socket.onerror = () => done("refused");
       })),
-      named("page", fetched("")),
-      named("picture", fetched("picture.png?render=1")),
-      named("image", new Promise((done) => {
+      result("page", fetched("")),
+      result("picture", fetched(`picture.png?render=1&${named}`)),
+      result("image", new Promise((done) => {
         const image = new Image();
         image.onload = () => done("read");
         image.onerror = () => done("refused");
-        image.src = address + "picture.png?render=1";
+        image.src = `${site}picture.png?render=1&${named}`;
       })),
-      named("script", import(address + "words.js").then(() => "read", () => "refused")),
+      result("script", import(site + "words.js").then(() => "read", () => "refused")),
     ]).then((results) => told(Object.fromEntries(results)));
 """
+
+
+EVERYTHING = ("socket", "page", "picture", "image", "script")
 
 
 class Elsewhere(http.server.BaseHTTPRequestHandler):
@@ -421,9 +559,8 @@ def a_page_from_elsewhere_is_refused(trial):
     program = trial.view(trial.scene(SCENE))
     page = trial.open(program)
     page.wait_for_state("done")
-    everything = ("socket", "page", "picture", "image", "script")
     # What refuses the other page does not refuse its own.
-    same(trial.browser.run_until_told(PROBE, program.address), dict.fromkeys(everything, "opened") | dict.fromkeys(everything[1:], "read"), "what the own page gets")
+    same(trial.browser.run_until_told(PROBE, program.site, program.token), {"socket": "opened"} | dict.fromkeys(EVERYTHING[1:], "read"), "what the own page gets")
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Elsewhere)
     trial.ends.callback(server.server_close)
     trial.ends.callback(server.shutdown)
@@ -432,16 +569,48 @@ def a_page_from_elsewhere_is_refused(trial):
     for host in ("127.0.0.1", "localhost", "evil.example"):
         trial.browser.tab(f"http://{host}:{server.server_port}/")
         same(trial.browser.run("return document.title"), "elsewhere", "the title of the page from elsewhere")
-        same(trial.browser.run_until_told(PROBE, program.address), dict.fromkeys(everything, "refused"), f"what a page of {host} gets")
+        # Not even with the token
+        for token in (None, program.token):
+            same(trial.browser.run_until_told(PROBE, program.site, token), dict.fromkeys(EVERYTHING, "refused"), f"what a page of {host} gets with the token {token}")
+
+
+@test
+def without_the_token_of_this_run_nothing_is_read_or_written(trial):
+    path = trial.scene(SCENE)
+    program = trial.view(path)
+    page = trial.open(program)
+    page.wait_for_state("done")
+    same(page.read("return location.href"), program.site, "the page's address when it has taken the token")
+    holds(program.token not in page.read("return document.documentElement.outerHTML.replace(/picture.png[^\"]*/, '')"), "the token is seen on the page")
+    other = ("0" if program.token[0] != "0" else "1") + program.token[1:]
+    trial.expect_errors(r"403|WebSocket")
+    for token in (None, "", other, program.token[:-1], program.token + "0", program.token.upper() + " "):
+        got = trial.browser.run_until_told(PROBE, program.site, token)
+        same(got, dict.fromkeys(("socket", "picture", "image"), "refused") | dict.fromkeys(("page", "script"), "read"), f"what one gets with the token {token!r}")
+    # Loaded anew, the page still has it.
+    page.driver.refresh()
+    page.wait_for_picture(trial.rendered(SCENE))
+    same(page.typed, SCENE, "the text of the page that is loaded anew")
+    # Other tabs have not, and say what is to be done.
+    for address in (program.site, f"{program.site}#token={other}"):
+        stranger = Page(trial.browser, address)
+        stranger.wait_for_state("refused")
+        holds(stranger.is_seen("notice") and "the whole address" in stranger.text("notice-text"), f"the page says: {stranger.text('notice-text')!r}")
+        same((stranger.typed, stranger.text("file"), stranger.render), ("", "", None), "what the page shows")
+        stranger.read("location.href = arguments[0]", program.address)
+        stranger.wait_for_picture(trial.rendered(SCENE))
+        holds(not stranger.is_seen("notice"), "the notice stays")
+    same(path.read_text(), SCENE, "the scene's file")
 
 
 @test
 def another_name_for_this_machine_is_refused(trial):
     program = trial.view(trial.scene(SCENE))
-    trial.expect_errors(r"evil\.example.*(403|Cross-Origin-Opener-Policy)")
+    # Under the name localhost there is a page, which has no token.
+    trial.expect_errors(r"evil\.example.*(403|Cross-Origin-Opener-Policy)|localhost.*403")
     trial.browser.tab(f"http://evil.example:{program.port}/")
     shown = trial.browser.run("return [performance.getEntriesByType('navigation')[0].responseStatus, document.body.textContent.trim()]")
-    same(shown, [403, "this server answers only to the name 127.0.0.1 or localhost"], "what a browser sees under another name")
+    same(shown, [403, "this server answers only to the name 127.0.0.1 or localhost / ce serveur ne répond qu'au nom 127.0.0.1 ou localhost"], "what a browser sees under another name")
     trial.browser.tab(f"http://localhost:{program.port}/")
     same(trial.browser.run("return performance.getEntriesByType('navigation')[0].responseStatus"), 200, "what a browser sees under the name localhost")
 
@@ -461,7 +630,8 @@ def an_edit_ends_a_slow_picture_at_once(trial):
 
 @test
 def a_fault_in_a_slow_picture_brings_the_last_good_one_back(trial):
-    page = trial.open(trial.view(trial.scene(SCENE)))
+    program = trial.view(trial.scene(SCENE))
+    page = trial.open(program)
     good = trial.rendered(SCENE)
     page.wait_for_picture(good)
     page.type_over("sampling 1\n", "sampling 10000\n")
@@ -469,7 +639,7 @@ def a_fault_in_a_slow_picture_brings_the_last_good_one_back(trial):
     page.type_over("recursive_level 3", "recursive_levle 3")
     page.wait_for_state("faults")
     page.wait(lambda: page.render is not None and page.picture() == good, "the last good picture is there")
-    same(page.read("return document.getElementById('download').getAttribute('href')"), f"/picture.png?render={page.render}", "what there is to download")
+    same(page.read("return document.getElementById('download').getAttribute('href')"), f"{program.site}picture.png?render={page.render}&token={program.token}", "what there is to download")
 
 
 @test
@@ -502,7 +672,7 @@ def Ctrl_C_ends_the_program_and_leaves_nothing_behind(trial):
     page = trial.open(program)
     page.wait_for_state("drawing")
     page.type_over(RAY, WIDER)
-    trial.expect_errors(r"WebSocket")
+    trial.expect_errors(r"WebSocket|ERR_CONNECTION_REFUSED")
     seconds = program.interrupt()
     trial.note = f"in {seconds:.2f} s"
     holds(seconds < 10, f"the program took {seconds:.1f} s to end")
@@ -519,7 +689,7 @@ def when_the_program_ends_the_page_says_so_and_keeps_the_typed_text(trial):
     program = trial.view(path)
     page = trial.open(program)
     page.wait_for_state("done")
-    trial.expect_errors(r"WebSocket")
+    trial.expect_errors(r"WebSocket|ERR_CONNECTION_REFUSED|403")
     program.interrupt()
     page.wait_for_state("lost")
     holds(page.is_seen("notice") and page.text("notice-text").startswith("The program has ended"), f"the page says: {page.text('notice-text')!r}")
@@ -527,8 +697,11 @@ def when_the_program_ends_the_page_says_so_and_keeps_the_typed_text(trial):
     wider = SCENE.replace(RAY, WIDER)
     same(page.typed, wider, "the text in the editor")
     page.wait(lambda: page.seconds_of_rest() > 0.5, "typing has rested while there was no program")
-    # The page finds the program again by itself, which draws what was typed.
-    trial.view(path, "--port", program.port)
+    # The page finds the program again by itself, which does not know it. With the new address in the same tab, it draws what was typed.
+    again = trial.view(path, "--port", program.port)
+    page.wait_for_state("refused")
+    same(page.typed, wider, "the text in the editor")
+    page.driver.get(again.address)
     page.wait_for_picture(trial.rendered(wider))
     same(page.typed, wider, "the text in the editor")
     same(path.read_text(), SCENE, "the scene's file")

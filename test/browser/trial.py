@@ -28,9 +28,9 @@ class Trial:
         """`dioptre view` of a scene's file."""
         return self.ends.enter_context(Program(self.dioptre, "view", path.name, "--no-browser", "--language", language, *options, folder=path.parent))
 
-    def open(self, program):
-        """The program's page."""
-        return Page(self.browser, program.address)
+    def open(self, program, script=""):
+        """The program's page, in which a script runs before its own."""
+        return Page(self.browser, program.address, script)
 
     def rendered(self, text, *options):
         """The pixels that `dioptre render` draws of a text."""
@@ -46,8 +46,11 @@ def trying(dioptre, browser):
     """What a test has at hand. Whatever happens, what it started is ended."""
     with tempfile.TemporaryDirectory(prefix="dioptre-browser-test-") as folder, contextlib.ExitStack() as ends:
         trial = Trial(dioptre, browser, folder, ends)
-        ends.callback(browser.close_tabs)
-        yield trial
+        try:
+            yield trial
+        finally:
+            # Before their programs end, for which pages would look.
+            browser.close_tabs()
 
 
 def same(found, expected, what):

@@ -18,13 +18,13 @@ module Dioptre.Command.View
   )
 where
 
-import Control.Concurrent (forkIO, threadDelay)
+import Control.Concurrent (threadDelay)
 import Control.Concurrent.STM (atomically, check, readTVar, readTVarIO, retry)
-import Control.Exception (IOException, try)
-import Control.Monad (forever, void, when)
-import Data.Maybe (catMaybes, isJust)
+import Control.Monad (forever, when)
+import Data.Maybe (isJust)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
+import Dioptre.Command.Browser (withBrowser)
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, sayText)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Files.Wording (fileFault)
@@ -35,13 +35,9 @@ import Dioptre.Source.Text (Source, decode, fromText)
 import Dioptre.View.Desk (Checked (..), Desk (..))
 import Dioptre.View.Frame (Frame)
 import Dioptre.View.Server (Settings (..), Viewer (..), withViewer)
-import System.Directory (findExecutable)
-import System.Environment (lookupEnv)
 import System.Exit (ExitCode (..))
-import System.IO (Handle, hFlush, stdout)
+import System.IO (hFlush, stdout)
 import System.IO.Error (ioeGetErrorString, isAlreadyInUseError)
-import System.Info (os)
-import System.Process (CreateProcess (..), ProcessHandle, StdStream (NoStream), createProcess, proc, waitForProcess)
 
 -- | Where to view, and whether to open a browser.
 data ViewOptions = ViewOptions
@@ -72,12 +68,12 @@ viewing journal options unwatched (source, hasFile) act = do
   outcome <- withViewer (Settings (viewPort options) l unwatched source hasFile) $ \viewer -> do
     Text.putStrLn (Text.pack (viewerAddress viewer))
     hFlush stdout
-    opened <- if viewBrowser options then openBrowser (viewerAddress viewer) else pure False
-    sayText journal $
-      if opened
-        then inLanguage l "the page opens in your browser; Ctrl-C here ends it" "la page s'ouvre dans votre navigateur\xA0; Ctrl-C ici y met fin"
-        else inLanguage l "open this address in a browser; Ctrl-C here ends it" "ouvrez cette adresse dans un navigateur\xA0; Ctrl-C ici y met fin"
-    act viewer
+    (if viewBrowser options then withBrowser (viewerAddress viewer) else ($ False)) $ \opened -> do
+      sayText journal $
+        if opened
+          then inLanguage l "the page opens in your browser; Ctrl-C here ends it" "la page s'ouvre dans votre navigateur\xA0; Ctrl-C ici y met fin"
+          else inLanguage l "open this address in a browser; Ctrl-C here ends it" "ouvrez cette adresse dans un navigateur\xA0; Ctrl-C ici y met fin"
+      act viewer
   either (\e -> ExitFailure 3 <$ sayFault journal (portFault e)) pure outcome
   where
     l = journalLanguage journal
@@ -88,18 +84,6 @@ viewing journal options unwatched (source, hasFile) act = do
             then inLanguage l "another program uses it; choose another with --port, or leave the choice to this one" "un autre programme l'utilise\xA0; choisissez-en un autre avec --port, ou laissez celui-ci choisir"
             else Text.pack (ioeGetErrorString e)
         ]
-
--- | Opens a page in the user's browser, if there is a screen and a way to do so; says whether.
-openBrowser :: String -> IO Bool
-openBrowser page = do
-  screens <- traverse lookupEnv ["DISPLAY", "WAYLAND_DISPLAY"]
-  openers <- catMaybes <$> traverse findExecutable (["xdg-open" | any (maybe False (not . null)) screens] <> ["open" | os == "darwin"])
-  case openers of
-    [] -> pure False
-    opener : _ ->
-      (try (createProcess (proc opener [page]) {std_in = NoStream, std_out = NoStream, std_err = NoStream, new_session = True}) :: IO (Either IOException (Maybe Handle, Maybe Handle, Maybe Handle, ProcessHandle))) >>= \case
-        Left _ -> pure False
-        Right (_, _, _, process) -> True <$ forkIO (void (waitForProcess process))
 
 -- | The first picture of a viewer, when it is finished; 'Nothing' for one that is too large to be shown.
 awaitPicture :: Viewer -> IO (Maybe Frame)

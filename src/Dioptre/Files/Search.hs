@@ -28,6 +28,7 @@ module Dioptre.Files.Search
   ( -- * Searching
     search,
     wantedName,
+    knownName,
 
     -- * What can go wrong
     SearchFault (..),
@@ -147,7 +148,11 @@ entriesOf = orElse [] . listDirectory
 
 -- | Whether a file's name is this one, case folded.
 hasName :: Text -> FilePath -> IO Bool
-hasName wanted entry = (== wanted) . Text.toCaseFold <$> textOf entry
+hasName wanted entry = (== wanted) <$> knownName entry
+
+-- | The name of a file without its folder, in the form in which names are compared.
+knownName :: FilePath -> IO Text
+knownName entry = Text.toCaseFold <$> textOf entry
 
 -- | A file's name as text: its bytes are UTF-8, or else Latin-1.
 --

@@ -20,6 +20,7 @@ module Dioptre.Load.Shelf
     -- * Finding files
     Found (..),
     findFile,
+    seek,
 
     -- * Pictures
     loadPictures,
@@ -38,6 +39,7 @@ import Data.Sequence (Seq)
 import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import Dioptre.Files.Search (Place (..), SearchFault (..), search)
+import Dioptre.Files.Stamp (Stamp, stampOf)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Load.Amount (ModelRead)
@@ -110,15 +112,19 @@ data Found = Found
   { -- | As one calls it from the working directory.
     foundPath :: FilePath,
     -- | Without links: the same for every way to the file.
-    foundFile :: FilePath
+    foundFile :: FilePath,
+    -- | What it was then.
+    foundStamp :: Maybe Stamp
   }
   deriving stock (Eq, Show)
 
 -- | The file that a name means in a file of a folder.
 findFile :: FilePath -> Text -> Loading (Either FileTrouble Found)
-findFile folder name =
-  once shelfFound (\m shelf -> shelf {shelfFound = m}) (folder, name) . liftIO $
-    search "." folder name >>= either (pure . Left . trouble) (\path -> Right . Found path <$> canonicalizePath path)
+findFile folder name = once shelfFound (\m shelf -> shelf {shelfFound = m}) (folder, name) (liftIO (seek folder name))
+
+-- | The same, without a shelf.
+seek :: FilePath -> Text -> IO (Either FileTrouble Found)
+seek folder name = search "." folder name >>= either (pure . Left . trouble) (\path -> Right <$> (Found path <$> canonicalizePath path <*> stampOf path))
   where
     trouble fault = case fault of
       NoName _ -> NoSuchFile []
@@ -143,8 +149,10 @@ loadPictures l folder wanted = do
 
 -- | The picture in a file.
 loadTexture :: Language -> Found -> Loading (Either FileTrouble Picture)
-loadTexture l (Found path file) =
-  once shelfPictures (\m shelf -> shelf {shelfPictures = m}) file . liftIO $
+loadTexture l found =
+  once shelfPictures (\m shelf -> shelf {shelfPictures = m}) (foundFile found) . liftIO $
     readWhole path >>= \case
       Left fault -> pure (Left (Unreadable (fileFault l fault)))
       Right bytes -> first Unreadable <$> attempted (decodeTexture path) bytes
+  where
+    path = foundPath found

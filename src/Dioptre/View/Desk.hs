@@ -23,6 +23,7 @@ module Dioptre.View.Desk
     By (..),
     Checked (..),
     Complaint (..),
+    Sought,
     newDesk,
     isSaved,
     hasErrors,
@@ -30,6 +31,7 @@ module Dioptre.View.Desk
     -- * Changes from outside
     typed,
     foundOnDisk,
+    filesChanged,
     takenFromDisk,
     savedToDisk,
     drawnAnyway,
@@ -47,9 +49,11 @@ module Dioptre.View.Desk
   )
 where
 
+import Data.Map.Strict (Map)
 import Data.Maybe (isNothing)
 import Data.Text (Text)
-import Dioptre.Source.Diagnostic (Diagnostic (..), Severity (Error), severity)
+import Dioptre.Load.Shelf (Found)
+import Dioptre.Source.Diagnostic (Diagnostic (..), FileTrouble, Severity (Error), severity)
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Text (Source)
 import Dioptre.View.Frame (Frame (..))
@@ -66,6 +70,8 @@ data Desk = Desk
     deskDisk :: !(Maybe Text),
     -- | Whether the file changed while there was unsaved typing.
     deskConflict :: !Bool,
+    -- | How often one of the other files may have changed that the scene is made of.
+    deskChanges :: !Int,
     -- | What messages are in.
     deskLanguage :: !Language,
     -- | What was found wrong, with the last version that was looked at.
@@ -76,8 +82,8 @@ data Desk = Desk
     deskFinished :: !(Maybe Frame),
     -- | How many frames there have been.
     deskFrames :: !Int,
-    -- | The last version for which nothing is left to do, and whether it was to be drawn whatever is wrong with it.
-    deskDone :: !(Maybe (Int, Bool)),
+    -- | The last job of which nothing is left to do.
+    deskDone :: !(Maybe Job),
     -- | The version that is to be drawn whatever is wrong with it.
     deskAnyway :: !(Maybe Int),
     -- | Whether it is drawn while nobody looks.
@@ -96,13 +102,20 @@ data By = Disk | Page !Int
 data Checked = Checked
   { -- | Which.
     checkedVersion :: !Int,
+    -- | After how many changes of the other files.
+    checkedChanges :: !Int,
     -- | What is wrong, file by file: first the scene itself.
     checkedDiagnostics :: ![(Source, [Diagnostic])],
     -- | Whether it is drawn.
     checkedDrawn :: !Bool,
     -- | Why it cannot be.
-    checkedComplaint :: !(Maybe Complaint)
+    checkedComplaint :: !(Maybe Complaint),
+    -- | Which other files it is made of, as they were found.
+    checkedSought :: !Sought
   }
+
+-- | What was found for a name of a file, looked for from a folder on.
+type Sought = Map (FilePath, Text) (Either FileTrouble Found)
 
 -- | Why a scene without errors is not drawn here.
 newtype Complaint
@@ -119,6 +132,7 @@ newDesk l hasFile unwatched text =
       deskBy = Disk,
       deskDisk = if hasFile then Just text else Nothing,
       deskConflict = False,
+      deskChanges = 0,
       deskLanguage = l,
       deskChecked = Nothing,
       deskFrame = Nothing,
@@ -156,6 +170,10 @@ foundOnDisk text desk
   | isSaved desk || text == deskText desk = (withText Disk text desk) {deskDisk = Just text, deskConflict = False}
   | otherwise = desk {deskDisk = Just text, deskConflict = True}
 
+-- | Another file that the scene is made of may have changed.
+filesChanged :: Desk -> Desk
+filesChanged desk = desk {deskChanges = deskChanges desk + 1}
+
 -- | The file's text instead of what was typed.
 takenFromDisk :: Desk -> Desk
 takenFromDisk desk = case deskDisk desk of
@@ -187,26 +205,28 @@ data Job = Job
   { -- | Its version.
     jobVersion :: !Int,
     -- | Whether it is to be drawn whatever is wrong with it.
-    jobAnyway :: !Bool
+    jobAnyway :: !Bool,
+    -- | After how many changes of the other files that the scene is made of.
+    jobChanges :: !Int
   }
   deriving stock (Eq, Show)
 
 -- | What there is to do: nothing where the version at hand was dealt with, or where nobody looks.
 --
--- Law: it changes as soon as the text does, so that nobody goes on drawing an old one.
+-- Law: it changes as soon as the text does, or a file that it names, so that nobody goes on drawing an old one.
 jobOf :: Desk -> Maybe Job
 jobOf desk
-  | deskDone desk == Just (jobVersion job, jobAnyway job) || not (deskUnwatched desk || deskPages desk > 0) = Nothing
+  | deskDone desk == Just job || not (deskUnwatched desk || deskPages desk > 0) = Nothing
   | otherwise = Just job
   where
-    job = Job (deskVersion desk) (deskAnyway desk == Just (deskVersion desk))
+    job = Job (deskVersion desk) (deskAnyway desk == Just (deskVersion desk)) (deskChanges desk)
 
 -- | The job's text was looked at. Where it has errors and there is a picture already, or where it cannot be drawn, that is all there is to do.
-checked :: Job -> [(Source, [Diagnostic])] -> Maybe Complaint -> Desk -> Desk
-checked job diagnostics complaint desk =
+checked :: Job -> [(Source, [Diagnostic])] -> Sought -> Maybe Complaint -> Desk -> Desk
+checked job diagnostics sought complaint desk =
   desk
-    { deskChecked = Just (Checked (jobVersion job) diagnostics drawn complaint),
-      deskDone = if drawn then deskDone desk else Just (jobVersion job, jobAnyway job)
+    { deskChecked = Just (Checked (jobVersion job) (jobChanges job) diagnostics drawn complaint sought),
+      deskDone = if drawn then deskDone desk else Just job
     }
   where
     drawn = isNothing complaint && (not (hasErrors diagnostics) || jobAnyway job || isNothing (deskFinished desk))
@@ -217,7 +237,7 @@ begun frame desk = desk {deskFrame = Just frame, deskFrames = frameNumber frame}
 
 -- | A frame is finished, and the job with it.
 ended :: Job -> Frame -> Desk -> Desk
-ended job frame desk = desk {deskFrame = Just frame, deskFinished = Just frame, deskDone = Just (jobVersion job, jobAnyway job)}
+ended job frame desk = desk {deskFrame = Just frame, deskFinished = Just frame, deskDone = Just job}
 
 -- | A frame will never be finished: the last good picture is there again.
 abandoned :: Desk -> Desk

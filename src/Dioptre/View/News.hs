@@ -24,8 +24,8 @@ import Dioptre.View.Message (Message (..))
 data Told = Told
   { -- | Version, whether it is saved, and whether it is in conflict.
     toldScene :: !(Maybe (Int, Bool, Bool)),
-    -- | Of which version what is wrong with it, in which language.
-    toldFaults :: !(Maybe (Int, Bool, Language)),
+    -- | Of which version, and after how many changes of other files, what is wrong with it, in which language.
+    toldFaults :: !(Maybe (Int, Int, Bool, Language)),
     -- | Which picture.
     toldFrame :: !(Maybe Int),
     -- | How many of its strips.
@@ -54,7 +54,7 @@ news told desk picture = (concat [language, scene, faults, gone, begins, strips,
     language = [Say (Speaks (deskLanguage desk)) | deskLanguage desk /= toldLanguage told]
     sceneNow = (deskVersion desk, isSaved desk, deskConflict desk)
     scene = [Say (SceneIs (deskVersion desk) (deskBy desk) (isSaved desk) (deskConflict desk) (deskText desk)) | Just sceneNow /= toldScene told]
-    faultsNow = (\c -> (checkedVersion c, checkedDrawn c, deskLanguage desk)) <$> deskChecked desk
+    faultsNow = (\c -> (checkedVersion c, checkedChanges c, checkedDrawn c, deskLanguage desk)) <$> deskChecked desk
     faults = [Say (Found (deskLanguage desk) c) | faultsNow /= toldFaults told, Just c <- [deskChecked desk]]
     frameNow = frameNumber . fst <$> picture
     isNew = frameNow /= toldFrame told

@@ -49,7 +49,7 @@ work path table job = do
     let port = sceneViewport (loadedScene loaded)
         complaint = if viewportWidth port * viewportHeight port > mostPixels then Just (TooLarge (viewportWidth port * viewportHeight port)) else Nothing
     isDrawn <- atomically $ do
-      modifyTVar' table (checked job (loadedDiagnostics loaded) complaint)
+      modifyTVar' table (checked job (loadedDiagnostics loaded) (loadedSought loaded) complaint)
       maybe False checkedDrawn . deskChecked <$> readTVar table
     when isDrawn $ do
       frame <- newFrame (deskFrames desk + 1) (jobVersion job) loaded

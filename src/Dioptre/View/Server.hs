@@ -5,10 +5,10 @@
 -- Description : The viewer: a page in the browser, and what it talks to
 --
 -- > the file ---watch---> desk <---typing--- page, page ...
--- >                       |  \----news--->
+-- > other files --watch--|  \----news--->
 -- >                     painter
 --
--- It listens on 127.0.0.1 only ("Dioptre.View.Guard" says who may speak there). Nothing that a page says reaches the disk, except that the text is written to the scene's file where a page asks for that.
+-- It listens on 127.0.0.1 only, and only to whoever names the run's token ("Dioptre.View.Guard" says who may speak there). Nothing that a page says reaches the disk, except that the text is written to the scene's file where a page asks for that.
 module Dioptre.View.Server
   ( Settings (..),
     Viewer (..),
@@ -19,11 +19,14 @@ where
 import Control.Concurrent.Async (link, withAsync)
 import Control.Concurrent.STM (atomically, modifyTVar', newTVarIO, readTVarIO)
 import Control.Exception (IOException, bracket, bracketOnError, try)
+import Control.Monad (join)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isAlphaNum, isAscii)
+import Data.Maybe (isJust)
 import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
 import Dioptre.Load (Loaded (..))
 import Dioptre.Picture.Png (encode)
 import qualified Dioptre.Scene as Scene
@@ -33,14 +36,16 @@ import Dioptre.Source.Text (Source, sourceName, sourceText)
 import Dioptre.View.Conversation (Showing (..), converse, longestMessage)
 import Dioptre.View.Desk
 import Dioptre.View.Frame
-import Dioptre.View.Guard (Verdict (..), address, verdict)
+import Dioptre.View.Guard (Token, Verdict (..), Wish (..), address, newToken, verdict)
 import qualified Dioptre.View.Guard as Guard
 import Dioptre.View.Page (pageFile)
 import Dioptre.View.Painter (Table, paintDesk)
+import Dioptre.View.Surroundings (watchingSurroundings)
 import Dioptre.View.Watch (watching)
+import Dioptre.View.Wording (rejection)
 import qualified Network.HTTP.Types as Http
 import Network.Socket
-import Network.Wai (Application, Middleware, Response, pathInfo, queryString, rawPathInfo, requestHeaderHost, requestHeaders, requestMethod, responseLBS)
+import Network.Wai (Application, Middleware, Request, Response, pathInfo, queryString, rawPathInfo, requestHeaderHost, requestHeaders, requestMethod, responseLBS)
 import qualified Network.Wai.Handler.Warp as Warp
 import Network.Wai.Handler.WebSockets (isWebSocketsReq, websocketsOr)
 import qualified Network.WebSockets as WebSockets
@@ -62,7 +67,7 @@ data Settings = Settings
 
 -- | A viewer that runs.
 data Viewer = Viewer
-  { -- | Where its page is.
+  { -- | Where its page is, with the token.
     viewerAddress :: String,
     -- | What it shows.
     viewerTable :: Table
@@ -76,16 +81,17 @@ withViewer settings act = do
     Left e -> pure (Left e)
     Right own -> fmap Right . bracket (pure own) close $ \socket' -> do
       port <- fromIntegral <$> socketPort socket'
+      token <- newToken
       table <- newTVarIO (newDesk (settingLanguage settings) (settingHasFile settings) (settingUnwatched settings) (sourceText (settingSource settings)))
       let scene = Showing path (settingHasFile settings) table
-          serve = Warp.runSettingsSocket (Warp.setServerName "" (Warp.setPort port Warp.defaultSettings)) socket' (application port scene)
+          serve = Warp.runSettingsSocket (Warp.setServerName "" (Warp.setPort port Warp.defaultSettings)) socket' (application token port scene)
           watched
             | settingHasFile settings = watching path (atomically . modifyTVar' table . foundOnDisk . sourceText)
             | otherwise = id
       withAsync serve $ \server -> withAsync (paintDesk path table) $ \painter -> do
         link server
         link painter
-        watched (act (Viewer (address port) table))
+        watched (watchingSurroundings table (act (Viewer (address token port) table)))
   where
     path = sourceName (settingSource settings)
 
@@ -98,13 +104,13 @@ listening port = bracketOnError (socket AF_INET Stream defaultProtocol) close $ 
   pure own
 
 -- | What answers requests at a port.
-application :: Int -> Showing -> Application
-application port scene = guarded port (websocketsOr options conversation (files port scene))
+application :: Token -> Int -> Showing -> Application
+application token port scene = guarded token port (websocketsOr options conversation (files port scene))
   where
     options = WebSockets.defaultConnectionOptions {WebSockets.connectionFramePayloadSizeLimit = limit, WebSockets.connectionMessageDataSizeLimit = limit}
     limit = WebSockets.SizeLimit (fromIntegral longestMessage)
     conversation pending
-      | WebSockets.requestPath (WebSockets.pendingRequest pending) /= "/live" = WebSockets.rejectRequest pending "there is nothing here"
+      | Char8.takeWhile (/= '?') (WebSockets.requestPath (WebSockets.pendingRequest pending)) /= "/live" = WebSockets.rejectRequest pending "there is nothing here"
       | otherwise = do
         pages <- deskPages <$> readTVarIO (showingTable scene)
         if pages >= mostPages
@@ -116,11 +122,20 @@ mostPages :: Int
 mostPages = 64
 
 -- | Refuses whoever may not speak here.
-guarded :: Int -> Middleware
-guarded port inner request respond = case verdict port (Guard.Request (requestHeaderHost request) (lookup "Origin" (requestHeaders request)) (isWebSocketsReq request)) of
+guarded :: Token -> Int -> Middleware
+guarded token port inner request respond = case verdict token port asked of
   Admitted -> inner request respond
-  WrongHost -> respond (plain port Http.status403 "this server answers only to the name 127.0.0.1 or localhost")
-  WrongOrigin -> respond (plain port Http.status403 "this server talks only with its own page")
+  refused -> respond (plain port Http.status403 (Lazy.fromStrict (Text.encodeUtf8 (rejection refused))))
+  where
+    asked = Guard.Request (requestHeaderHost request) (lookup "Origin" (requestHeaders request)) (join (lookup "token" (queryString request))) wish
+    wish
+      | isWebSocketsReq request = Conversation
+      | isJust (asPageFile request) = PageFile
+      | otherwise = Data
+
+-- | The kind and the contents of the file of the page that a request is about, if it is about one.
+asPageFile :: Request -> Maybe (ByteString, ByteString)
+asPageFile = pageFile . drop 1 . Char8.unpack . rawPathInfo
 
 -- | The files of the page, and the picture.
 files :: Int -> Showing -> Application
@@ -134,7 +149,7 @@ files port scene request respond
           bytes <- encode <$> framePicture frame
           respond (found port "image/png" [("Content-Disposition", "inline; filename=\"" <> pictureName frame <> "\"")] bytes)
         _ -> respond (plain port Http.status404 "there is no such picture")
-    _ -> case pageFile (drop 1 (Char8.unpack (rawPathInfo request))) of
+    _ -> case asPageFile request of
       Just (kind, bytes) -> respond (found port kind [] (Lazy.fromStrict bytes))
       Nothing -> respond (plain port Http.status404 "there is nothing here")
 

@@ -7,6 +7,7 @@ module Dioptre.View.Wording
   ( complaintText,
     Refusal (..),
     refusal,
+    rejection,
   )
 where
 
@@ -16,6 +17,7 @@ import Dioptre.Files.Fault (FileFault)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.View.Desk (Complaint (..))
+import Dioptre.View.Guard (Verdict (..))
 
 -- | Why a scene without errors is not drawn here.
 complaintText :: Language -> Complaint -> Text
@@ -58,3 +60,13 @@ refusal l why = case why of
   NotSaved fault -> fileFault l fault
   where
     say = inLanguage l
+
+-- | Why somebody may not speak here: in both languages, as nobody knows theirs.
+rejection :: Verdict -> Text
+rejection why = case why of
+  Admitted -> Text.empty
+  WrongHost -> both "this server answers only to the name 127.0.0.1 or localhost" "ce serveur ne répond qu'au nom 127.0.0.1 ou localhost"
+  WrongOrigin -> both "this server talks only with its own page" "ce serveur ne parle qu'avec sa propre page"
+  WrongToken -> both "the token of this run is missing or wrong: open the whole address that the program printed" "le jeton de cette exécution manque ou est faux\xA0: ouvrez l'adresse entière que le programme a affichée"
+  where
+    both english french = english <> " / " <> french

@@ -198,10 +198,11 @@ spec = do
       Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
       (code, rest) <- listeningTo runHere $ \out -> do
         address <- Text.hGetLine out
-        let port = maybe 0 fst (Chars.readInt (snd (Chars.breakEnd (== ':') (Text.encodeUtf8 address))))
+        let (page, token) = Chars.breakEnd (== '#') (Text.encodeUtf8 address)
+            port = maybe 0 fst (Chars.readInt (snd (Chars.breakEnd (== ':') page)))
             host = "127.0.0.1:" <> Chars.pack (show port)
         -- The page is open until the picture is there
-        WebSockets.runClientWith "127.0.0.1" port "/live" WebSockets.defaultConnectionOptions [("Origin", "http://" <> host)] (const (Text.hGetLine out))
+        WebSockets.runClientWith "127.0.0.1" port ("/live?" <> Chars.unpack token) WebSockets.defaultConnectionOptions [("Origin", "http://" <> host)] (const (Text.hGetLine out))
       (code, rest) `shouldBe` (ExitSuccess, "ball_000.png")
       traverse Bytes.readFile ["ball_000.png", "out.txt"] >>= (`shouldBe` [False, False]) . map Bytes.null
       Text.readFile "configuration.cfg" >>= (`shouldContainText` "viewport_image_count\t1\n")

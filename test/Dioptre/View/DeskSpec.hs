@@ -5,6 +5,7 @@
 module Dioptre.View.DeskSpec (spec) where
 
 import Data.Function ((&))
+import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import Dioptre.Scene.Check (checkScene)
 import Dioptre.Source.Diagnostic (Diagnostic)
@@ -20,17 +21,17 @@ spec :: Spec
 spec = do
   describe "a new desk" $ do
     it "has nothing to do while nobody looks" $ jobOf desk `shouldBe` Nothing
-    it "draws its text as soon as a page is open" $ jobOf (entered desk) `shouldBe` Just (Job 1 False)
-    it "draws at once where that is wanted" $ jobOf (newDesk English True True "a") `shouldBe` Just (Job 1 False)
+    it "draws its text as soon as a page is open" $ jobOf (entered desk) `shouldBe` Just (Job 1 False 0)
+    it "draws at once where that is wanted" $ jobOf (newDesk English True True "a") `shouldBe` Just (Job 1 False 0)
     it "is saved where there is a file" $ map isSaved [desk, newDesk English False False "a"] `shouldBe` [True, False]
 
   describe "a text with errors" $ do
-    it "is drawn where there is no picture yet" $ drawnFlag (entered desk & checked (Job 1 False) faulty Nothing) `shouldBe` Just True
-    it "is what is left to draw while it is drawn" $ jobOf (entered desk & checked (Job 1 False) faulty Nothing) `shouldBe` Just (Job 1 False)
-    it "cannot be drawn where it is too large" $ drawnFlag (entered desk & checked (Job 1 False) [] (Just (TooLarge 1))) `shouldBe` Just False
-    it "is left alone then" $ jobOf (entered desk & checked (Job 1 False) [] (Just (TooLarge 1))) `shouldBe` Nothing
+    it "is drawn where there is no picture yet" $ drawnFlag (entered desk & checked (Job 1 False 0) faulty Map.empty Nothing) `shouldBe` Just True
+    it "is what is left to draw while it is drawn" $ jobOf (entered desk & checked (Job 1 False 0) faulty Map.empty Nothing) `shouldBe` Just (Job 1 False 0)
+    it "cannot be drawn where it is too large" $ drawnFlag (entered desk & checked (Job 1 False 0) [] Map.empty (Just (TooLarge 1))) `shouldBe` Just False
+    it "is left alone then" $ jobOf (entered desk & checked (Job 1 False 0) [] Map.empty (Just (TooLarge 1))) `shouldBe` Nothing
     it "is asked for again where it is to be drawn anyway" $
-      jobOf (entered desk & checked (Job 1 False) [] (Just (TooLarge 1)) & drawnAnyway) `shouldBe` Just (Job 1 True)
+      jobOf (entered desk & checked (Job 1 False 0) [] Map.empty (Just (TooLarge 1)) & drawnAnyway) `shouldBe` Just (Job 1 True 0)
     it "is what is wrong with it" $ map hasErrors [[], faulty] `shouldBe` [False, True]
 
   describe "the file" $ do
@@ -47,6 +48,8 @@ spec = do
     prop "another text is another job" . forAll changes $ \cs ->
       let desks = scanl (&) (entered desk) (map change cs)
        in conjoin [counterexample (show (jobOf a, jobOf b)) (jobOf a /= jobOf b) | (a, b) <- zip desks (drop 1 desks), deskText a /= deskText b, deskPages b > 0]
+    prop "another file is another job, whatever was done" . forAll changes $ \cs ->
+      let d = foldl (&) (entered desk) (map change cs) in jobOf (filesChanged d) === Just (Job (deskVersion d) (deskAnyway d == Just (deskVersion d)) (deskChanges d + 1))
     prop "nobody's typing is lost to the file" . forAll changes $ \cs ->
       let desks = zip (scanl (&) (entered desk) (map change cs)) cs
        in conjoin [deskText (change c d) === deskText d | (d, c@(OnDisk _)) <- desks, not (isSaved d)]
@@ -61,19 +64,20 @@ faulty :: [(Source, [Diagnostic])]
 faulty = let source = fromText "scene.txt" "sphre" in [(source, snd (checkScene (parse source)))]
 
 -- | Something that happens.
-data Change = Typed Text | OnDisk Text | Taken | Saved | Anyway | Looked Bool
+data Change = Typed Text | OnDisk Text | OtherFile | Taken | Saved | Anyway | Looked Bool
   deriving stock (Show)
 
 change :: Change -> Desk -> Desk
 change c d = case c of
   Typed t -> typed 1 t d
   OnDisk t -> foundOnDisk t d
+  OtherFile -> filesChanged d
   Taken -> takenFromDisk d
   Saved -> savedToDisk (deskText d) d
   Anyway -> drawnAnyway d
-  Looked bad -> maybe d (\job -> checked job (if bad then faulty else []) (if bad then Just (TooLarge 1) else Nothing) d) (jobOf d)
+  Looked bad -> maybe d (\job -> checked job (if bad then faulty else []) Map.empty (if bad then Just (TooLarge 1) else Nothing) d) (jobOf d)
 
 changes :: Gen [Change]
-changes = listOf (oneof [Typed <$> text, OnDisk <$> text, pure Taken, pure Saved, pure Anyway, Looked <$> arbitrary])
+changes = listOf (oneof [Typed <$> text, OnDisk <$> text, pure OtherFile, pure Taken, pure Saved, pure Anyway, Looked <$> arbitrary])
   where
     text = elements ["a", "b", "c"]

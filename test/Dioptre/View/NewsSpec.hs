@@ -5,6 +5,7 @@ module Dioptre.View.NewsSpec (spec) where
 
 import Control.Concurrent.STM (readTVarIO)
 import Data.List (sort)
+import qualified Data.Map.Strict as Map
 import qualified Data.Sequence as Seq
 import Dioptre.Load (loadSource)
 import Dioptre.Render.Row (planHeight)
@@ -25,6 +26,8 @@ spec = beforeAll finished $ do
     let (_, told) = news (nothing English) desk (Just (frame, progress)) in map name (fst (news told desk (Just (frame, progress)))) `shouldBe` []
   it "says the same again in another language" $ \(desk, frame, progress) ->
     let (_, told) = news (nothing English) desk (Just (frame, progress)) in map name (fst (news told (spoken French desk) (Just (frame, progress)))) `shouldBe` ["language", "diagnostics"]
+  it "says what is wrong again when another file has changed, and nothing else" $ \(desk, frame, progress) ->
+    let (_, told) = news (nothing English) desk (Just (frame, progress)) in map name (fst (news told (checked (Job 1 False 1) [] Map.empty Nothing desk) (Just (frame, progress)))) `shouldBe` ["diagnostics"]
   it "says that a picture will not be finished, and shows the last one again" $ \(desk, frame, progress) -> do
     let (_, told) = news (nothing English) desk (Just (frame, progress {progressEnd = Going, progressStrips = Seq.take 10 (progressStrips progress)}))
         other = frame {frameNumber = 7}
@@ -49,8 +52,8 @@ finished = do
   paint 1 (pure ()) frame
   progress <- readTVarIO (frameProgress frame)
   let desk = entered (newDesk English True False text)
-      job = Job 1 False
-  pure (ended job frame (checked job [] Nothing desk), frame, progress)
+      job = Job 1 False 0
+  pure (ended job frame (checked job [] Map.empty Nothing desk), frame, progress)
   where
     text = "viewport\nwidth 30\nheight 20\nend\n"
 

@@ -47,17 +47,32 @@ spec = do
       status answer `shouldBe` 200
       header "content-type" answer `shouldBe` Just "text/html; charset=utf-8"
       header "content-security-policy" answer `shouldSatisfy` maybe False ("default-src 'none'; script-src 'self'; " `Bytes.isPrefixOf`)
+    it "gives its own files to everybody" $ \(viewer, _) -> do
+      answers <- traverse (get viewer []) ["/", "/index.html", "/main.js", "/style.css", "/icon.svg"]
+      map status answers `shouldBe` [200, 200, 200, 200, 200]
+      answers `shouldSatisfy` not . any (token viewer `Bytes.isInfixOf`)
+    it "has another token each time" $ \(viewer, _) -> viewed small $ \(viewer', _) -> token viewer `shouldNotBe` token viewer'
+    for_ [("no", const ""), ("an empty", const "token="), ("a valueless", const "token"), ("a shorter", ("token=" <>) . Bytes.init . token), ("a longer", (<> "0") . named), ("another", ("token=" <>) . Char8.reverse . Char8.map (\c -> if c == '0' then '1' else '0') . token), ("a repeated", ("token=0&" <>) . named)] $ \(which, query) -> do
+      for_ ["/picture.png?render=1&", "/picture.png?", "/nothing?", "/scene.txt?", "/live?"] $ \path ->
+        it ("gives nothing of " <> show path <> " to " <> which <> " token, and says why in both languages") $ \(viewer, _) -> do
+          answer <- get viewer [] (path <> query viewer)
+          status answer `shouldBe` 403
+          Text.decodeUtf8 (body answer) `shouldBe` "the token of this run is missing or wrong: open the whole address that the program printed / le jeton de cette exécution manque ou est faux\xA0: ouvrez l'adresse entière que le programme a affichée\n"
+      for_ ["/live?", "/?", "/main.js?", "/picture.png?render=1&"] $ \path ->
+        it ("does not converse at " <> show path <> " with " <> which <> " token") $ \(viewer, _) -> do
+          answer <- request viewer "GET" (upgrade viewer ("http://" <> host viewer)) (path <> query viewer)
+          status answer `shouldBe` 403
+          desk <- readTVarIO (viewerTable viewer)
+          deskVisits desk `shouldBe` 0
     for_ ["/nothing", "/../setup.sh", "/%2e%2e/setup.sh", "//etc/passwd", "/etc/passwd", "/scene.txt", "/picture.png", "/picture.png?render=99", "/picture.png?render=../1"] $ \path ->
-      it ("gives nothing else: " <> show path) $ \(viewer, _) -> get viewer [] path >>= (`shouldBe` 404) . status
+      it ("gives nothing else: " <> show path) $ \(viewer, _) -> get viewer [] (withToken viewer path) >>= (`shouldBe` 404) . status
     it "only gives" $ \(viewer, _) -> request viewer "POST" [("Host", host viewer)] "/" >>= (`shouldBe` 405) . status
     it "answers to no other name" $ \(viewer, _) -> request viewer "GET" [("Host", "evil.example")] "/" >>= (`shouldBe` 403) . status
     for_ ["http://evil.example", "null", "https://127.0.0.1"] $ \origin ->
       it ("does not converse with a page from " <> show origin) $ \(viewer, _) ->
-        request viewer "GET" [("Host", host viewer), ("Origin", origin), ("Connection", "Upgrade"), ("Upgrade", "websocket"), ("Sec-WebSocket-Version", "13"), ("Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ==")] "/live"
-          >>= (`shouldBe` 403) . status
+        request viewer "GET" (upgrade viewer origin) (withToken viewer "/live") >>= (`shouldBe` 403) . status
     it "converses nowhere else" $ \(viewer, _) ->
-      request viewer "GET" [("Host", host viewer), ("Origin", "http://" <> host viewer), ("Connection", "Upgrade"), ("Upgrade", "websocket"), ("Sec-WebSocket-Version", "13"), ("Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ==")] "/other"
-        >>= (`shouldBe` 400) . status
+      request viewer "GET" (upgrade viewer ("http://" <> host viewer)) (withToken viewer "/other") >>= (`shouldBe` 400) . status
     it "tells that a port is taken" $ \(viewer, _) -> do
       outcome <- withViewer (Settings (Just (portOf viewer)) English False (fromText "scene.txt" small) False) (const (pure ()))
       outcome `shouldSatisfy` isLeft
@@ -66,7 +81,7 @@ spec = do
     it "shows the picture that render draws" $ \(viewer, path) -> talking viewer $ \c -> do
       done <- await c "done"
       let picture = maybe "" Text.encodeUtf8 (textAt "picture" done)
-      answer <- get viewer [] picture
+      answer <- get viewer [] (withToken viewer picture)
       expected <- pictureOf path small
       Lazy.fromStrict (body answer) `shouldBe` expected
       header "content-type" answer `shouldBe` Just "image/png"
@@ -91,7 +106,7 @@ spec = do
       void (await c "done")
       say c (edit other)
       done <- await c "done"
-      answer <- get viewer [] (maybe "" Text.encodeUtf8 (textAt "picture" done))
+      answer <- get viewer [] (withToken viewer (maybe "" Text.encodeUtf8 (textAt "picture" done)))
       expected <- pictureOf path other
       Lazy.fromStrict (body answer) `shouldBe` expected
     it "keeps the last good picture while there are errors, and tells where they are" $ \(viewer, _) -> talking viewer $ \c -> do
@@ -233,6 +248,18 @@ portOf = maybe 0 fst . Char8.readInt . snd . Char8.breakEnd (== ':') . host
 host :: Viewer -> ByteString
 host viewer = Char8.pack (takeWhile (/= '/') (drop 7 (viewerAddress viewer)))
 
+-- | The token of a viewer, alone and as it is named in requests.
+token, named :: Viewer -> ByteString
+token = snd . Char8.breakEnd (== '=') . Char8.pack . viewerAddress
+named viewer = "token=" <> token viewer
+
+withToken :: Viewer -> ByteString -> ByteString
+withToken viewer path = path <> (if Char8.elem '?' path then "&" else "?") <> named viewer
+
+-- | The headers that ask for a conversation with a page of that origin.
+upgrade :: Viewer -> ByteString -> [(ByteString, ByteString)]
+upgrade viewer origin = [("Host", host viewer), ("Origin", origin), ("Connection", "Upgrade"), ("Upgrade", "websocket"), ("Sec-WebSocket-Version", "13"), ("Sec-WebSocket-Key", "dGhlIHNhbXBsZSBub25jZQ==")]
+
 get :: Viewer -> [(ByteString, ByteString)] -> ByteString -> IO ByteString
 get viewer more = request viewer "GET" (("Host", host viewer) : more)
 
@@ -257,7 +284,7 @@ body = Bytes.drop 4 . snd . Bytes.breakSubstring "\r\n\r\n"
 -- Conversations
 
 talking :: Viewer -> (WebSockets.Connection -> IO a) -> IO a
-talking viewer = WebSockets.runClientWith "127.0.0.1" (portOf viewer) "/live" WebSockets.defaultConnectionOptions [("Origin", "http://" <> host viewer)]
+talking viewer = WebSockets.runClientWith "127.0.0.1" (portOf viewer) (Char8.unpack (withToken viewer "/live")) WebSockets.defaultConnectionOptions [("Origin", "http://" <> host viewer)]
 
 say :: WebSockets.Connection -> [(Json.Key, Value)] -> IO ()
 say c = WebSockets.sendTextData c . Json.encode . object

@@ -1,0 +1,28 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Module      : Dioptre.Files.Stamp
+-- Description : Whether a file is still what it was
+--
+-- Reading a file again tells, but a stamp is cheaper: which file it is, how long, and written when. Who writes to it changes that, except within one tick of the file system's clock and to the same length.
+module Dioptre.Files.Stamp
+  ( Stamp,
+    stampOf,
+  )
+where
+
+import Control.Exception (IOException, try)
+import System.Posix.Files (deviceID, fileID, fileSize, getFileStatus, modificationTimeHiRes)
+import System.Posix.Types (DeviceID, FileID, FileOffset)
+
+-- | What a file was at a moment.
+data Stamp = Stamp !DeviceID !FileID !FileOffset !Rational
+  deriving stock (Eq, Show)
+
+-- | What the file at a path is, if there is one. Links are followed.
+stampOf :: FilePath -> IO (Maybe Stamp)
+stampOf path = either nothing (Just . stamp) <$> try (getFileStatus path)
+  where
+    stamp s = Stamp (deviceID s) (fileID s) (fileSize s) (toRational (modificationTimeHiRes s))
+    nothing :: IOException -> Maybe Stamp
+    nothing _ = Nothing
