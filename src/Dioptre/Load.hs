@@ -34,7 +34,7 @@ import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Load.Amount (ModelRead (..))
 import Dioptre.Load.Decoding (attempted)
 import Dioptre.Load.Models (loadModels, sceneSite)
-import Dioptre.Load.Shelf (Shelf (..), emptyShelf, loadPictures)
+import Dioptre.Load.Shelf (Found (..), Shelf (..), emptyShelf, filesFound, loadPictures)
 import Dioptre.Model.Library (Library (..))
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (decode)
@@ -61,6 +61,8 @@ data Loaded = Loaded
     loadedLibrary :: Library Texture,
     -- | The models' files, as their reading ended.
     loadedModels :: [ModelRead],
+    -- | All files that were found for it, as one calls them from the working directory: models, their materials, and pictures; not the scene's own.
+    loadedFiles :: [FilePath],
     -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each in its order.
     loadedDiagnostics :: [(Source, [Diagnostic])]
   }
@@ -84,6 +86,7 @@ loadSource l source = do
             loadedAssets = assets,
             loadedLibrary = Library (Vector.fromList (toList (shelfLibrary shelf))) instances,
             loadedModels = toList (shelfRead shelf),
+            loadedFiles = map foundPath (filesFound shelf),
             loadedDiagnostics = own : toList (shelfFaults shelf)
           }
   loaded <$ evaluate (sum (map (length . snd) (loadedDiagnostics loaded)))

@@ -26,6 +26,7 @@ import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, say, sayFault, sayText, withProgress)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
+import Dioptre.Files.Identity (sameFile)
 import Dioptre.Files.Number (PictureNumber, writeNumbered)
 import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault)
@@ -38,6 +39,7 @@ import Dioptre.Render.Shade (mostRays)
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
+import Dioptre.Scene.Configuration (configurationFile)
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Dioptre.Source.Diagnostic (Diagnostic (..), Fate (LeftOut), Problem (ImpossibleObject), Severity (..), severity)
 import Dioptre.Source.Language (Language, inLanguage)
@@ -46,7 +48,7 @@ import Dioptre.Source.Report (pretty, summary)
 import Dioptre.Source.Text (Source)
 import GHC.Clock (getMonotonicTime)
 import GHC.Conc (getNumCapabilities)
-import System.Directory (canonicalizePath, doesDirectoryExist)
+import System.Directory (doesDirectoryExist)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory)
 
@@ -86,7 +88,7 @@ render journal options = do
         else case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
           Right (scene, planned) -> do
-            obstacle <- outputObstacle options
+            obstacle <- outputObstacle options (loadedFiles loaded)
             case obstacle of
               Just fault -> ExitFailure (fst fault) <$ sayFault journal (snd fault l)
               Nothing -> drawn reading scene planned
@@ -144,18 +146,25 @@ resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportW
   where
     tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
 
--- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves.
-outputObstacle :: Options -> IO (Maybe (Int, Language -> Text))
-outputObstacle options = case optionOutput options of
+-- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves. Given the files that the scene reads, none of which is replaced,
+-- by whatever path.
+outputObstacle :: Options -> [FilePath] -> IO (Maybe (Int, Language -> Text))
+outputObstacle options files = case optionOutput options of
   Numbered _ -> pure Nothing
   ToFile path -> do
-    same <- (==) <$> canonicalizePath path <*> canonicalizePath (optionScene options)
+    replaced <- sameFile path (scene : configurationFile : files)
     let folder = takeDirectory path
     there <- doesDirectoryExist folder
-    pure $
-      if same
-        then Just (2, \l -> inLanguage l "the picture would replace the scene: " "l'image remplacerait la scène\xA0: " <> Text.pack path)
-        else if there then Nothing else Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
+    pure $ case replaced of
+      Just file -> Just (2, \l -> inLanguage l "the picture would replace " "l'image remplacerait " <> what l file <> inLanguage l ": " "\xA0: " <> Text.pack file)
+      Nothing | there -> Nothing
+      Nothing -> Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
+  where
+    scene = optionScene options
+    what l file
+      | file == scene = inLanguage l "the scene" "la scène"
+      | file == configurationFile = inLanguage l "the configuration" "la configuration"
+      | otherwise = inLanguage l "a file that the scene reads" "un fichier que la scène lit"
 
 -- | The picture of a plan by all processors, with a bar that shows how far it is.
 traced :: Journal -> Plan -> IO (Picture, Tally)

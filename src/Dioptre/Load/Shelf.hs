@@ -20,6 +20,7 @@ module Dioptre.Load.Shelf
     -- * Finding files
     Found (..),
     findFile,
+    filesFound,
 
     -- * Pictures
     loadPictures,
@@ -127,6 +128,10 @@ findFile folder name =
     folderOf place = case place of
       Within f -> f
       Below f -> f </> "..."
+
+-- | The files that were found, each once.
+filesFound :: Shelf -> [Found]
+filesFound shelf = Map.elems (Map.fromList [(foundFile file, file) | Right file <- Map.elems (shelfFound shelf)])
 
 -- | The pictures that a file in a folder names; and what is wrong with each place that names one.
 loadPictures :: Language -> FilePath -> [(Text, FileUse, Span)] -> Loading (Map Text Picture, [Diagnostic])
