@@ -23,7 +23,7 @@ where
 import Data.List (foldl')
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
-import qualified Data.Text as Text
+import Dioptre.Explain.Phrase (real, vec)
 import Dioptre.Explain.Story
 import Dioptre.Geometry.Cap (beyondSphere, centreDepth, sphereOver)
 import Dioptre.Geometry.Cube (cubeCentre, cubeSize)
@@ -40,7 +40,6 @@ import Dioptre.Geometry.Tube (across, tubeLineParameters)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, modulus, quadrance, unit, vector, (*^), (^/))
-import Dioptre.Syntax.Value (showReal)
 import Linear.V3 (V3 (..))
 
 -- | A parameter that fulfils a condition, the condition's place among the shape's from 0, and what is measured at the point there.
@@ -66,6 +65,7 @@ conditionsOf shape r = case shape of
     let centre = planePosition (annulusPlane a)
         ring v
           | away < annulusInner a = InTheHole away (annulusInner a)
+          | away <= annulusOuter a = OnTheRing away (annulusInner a) (annulusOuter a)
           | otherwise = AwayFromCentre away (annulusOuter a)
           where
             away = distance centre v
@@ -103,7 +103,7 @@ conditionsOf shape r = case shape of
         [ ( PolynomialIsZero
               ThePlane
               [Coefficient "A" "<n, d>" (dot (vector n) d), Coefficient "B" "<n, o - P>" (dot (vector n) (origin r - p))]
-              ["n = " <> shown (vector n), "P = " <> shown p]
+              ["n = " <> vec (vector n), "P = " <> vec p]
               Nothing
               0,
             [(t, measure (position r t)) | t <- planeParameters p n r]
@@ -114,7 +114,7 @@ conditionsOf shape r = case shape of
       let w = origin r - c
           (qa, qb, qc) = (directionQuadrance r, 2 * dot w d, dot w w - radius * radius)
           roots = quadraticRoots qa qb qc
-       in [(quadratic TheSphere ("<d, d>", qa) ("2 <w, d>", qb) ("<w, w> - R^2", qc) ["w = o - C", "C = " <> shown c, "R = " <> showReal radius] roots 0, offBody roots)]
+       in [(quadratic TheSphere ("<d, d>", qa) ("2 <w, d>", qb) ("<w, w> - R^2", qc) ["w = o - C", "C = " <> vec c, "R = " <> real radius] roots 0, offBody roots)]
 
     slabs (V3 cx cy cz) h =
       let V3 ox oy oz = origin r
@@ -153,7 +153,7 @@ conditionsOf shape r = case shape of
             ("<d', d'> - (k b)^2", qa)
             ("2 (<w', d'> - k^2 a b)", qb)
             ("<w', w'> - (k a)^2", qc)
-            ["w = o + t0 d - P2", "a = <w, S>", "b = <d, S>", "w' = w - a S", "d' = d - b S", "k = R / H = " <> showReal k, "S = " <> shown (vector s), "P2 = " <> shown (p1 + h *^ vector s)]
+            ["w = o + t0 d - P2", "a = <w, S>", "b = <d, S>", "w' = w - a S", "d' = d - b S", "k = R / H = " <> real k, "S = " <> vec (vector s), "P2 = " <> vec (p1 + h *^ vector s)]
             roots
             0
         ends = within TheEnds "<d, S>" da "<w, S>" a (negate h) 0
@@ -192,7 +192,7 @@ conditionsOf shape r = case shape of
         ("<d, d>", dot d d)
         ("2 (<p, d> + m <d, n>)", 2 * (dot p d + m * dot d n))
         ("<p, p> + 2 m <p, n> - R^2", beyondSphere n radius m p)
-        ["p = " <> shown p, "m = " <> showReal m, "n = " <> shown n, "R = " <> showReal radius]
+        ["p = " <> vec p, "m = " <> real m, "n = " <> vec n, "R = " <> real radius]
 
     torusConditions p n major minor
       | c > outer * outer && null (torusParameters p n major minor r) = (Nothing, [PassesNear (sqrt c * l) (major + minor)], [])
@@ -226,11 +226,11 @@ conditionsOf shape r = case shape of
               "N = <n, q>",
               "M = <n, u>",
               "G = <q, q> + R^2 - r^2",
-              "L = " <> showReal l,
-              "R = " <> showReal bigR,
-              "r = " <> showReal smallR,
-              "n = " <> shown (vector n),
-              "P = " <> shown p
+              "L = " <> real l,
+              "R = " <> real bigR,
+              "r = " <> real smallR,
+              "n = " <> vec (vector n),
+              "P = " <> vec p
             ]
             Nothing
             0
@@ -243,7 +243,7 @@ tubeOf letter name p s radius wPerp dPerp =
     ("<d', d'>", qa)
     ("2 <w', d'>", qb)
     ("<w', w'> - R^2", qc)
-    [letter, "w' = w - <w, S> S", "d' = d - <d, S> S", name <> " = " <> shown p, "S = " <> shown (vector s), "R = " <> showReal radius]
+    [letter, "w' = w - <w, S> S", "d' = d - <d, S> S", name <> " = " <> vec p, "S = " <> vec (vector s), "R = " <> real radius]
     (quadraticRoots qa qb qc)
     0
   where
@@ -263,7 +263,3 @@ quadratic patch (fa, a) (fb, b) (fc, c) letters roots = PolynomialIsZero patch [
 -- | A slab: where B + A t is from low to high, and the parameters of its two faces.
 within :: Patch -> Text -> Double -> Text -> Double -> Double -> Double -> (Condition, [(Double, Measure)])
 within patch fa a fb b low high = (LiesBetween patch (Coefficient "A" fa a) (Coefficient "B" fb b) low high, [(x, OtherConditions) | a /= 0, x <- [(low - b) / a, (high - b) / a]])
-
--- | A vector, as scenes have it.
-shown :: Vector -> Text
-shown (V3 x y z) = "[" <> Text.intercalate ", " (map showReal [x, y, z]) <> "]"

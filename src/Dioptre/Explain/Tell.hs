@@ -35,7 +35,7 @@ import Dioptre.Picture.Byte (normalized, pixelOf)
 import Dioptre.Render.Closest (closest)
 import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
 import Dioptre.Render.Sampling (offset)
-import Dioptre.Render.Shade (Lit (..), Passage (..), coloursAt, farthest, lighting, mediumAt, mostRays, passage)
+import Dioptre.Render.Shade (Lit (..), Passage (..), coloursAt, farthest, lighting, mediumAt, mostRays, past)
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.Texture (Assets, Texture)
@@ -276,11 +276,10 @@ arrivalOf :: Setting -> Point -> Approach -> Arrival
 arrivalOf setting p way
   | approachCosine way <= 0 = FacesAway way
   | obstaclesOpaque between = InShadow way (blocker setting shadow distance')
-  | Passage r g b _ <- passage (stageWorld st) shadow distance' = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
+  | Passage r g b _ <- past between = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
   where
-    st = stageOf setting
     shadow = ray p (negate (approachDirection way))
-    between = obstacles (stageWorld st) shadow distance'
+    between = obstacles (stageWorld (stageOf setting)) shadow distance'
     distance' = fromMaybe farthest (approachDistance way)
 
 -- | What lets nothing through on the way of a shadow ray, and where: the nearest such shape, or, behind transparent ones, the first in number.

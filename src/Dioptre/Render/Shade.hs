@@ -26,6 +26,7 @@ module Dioptre.Render.Shade
     lighting,
     Passage (..),
     passage,
+    past,
     farthest,
     mediumAt,
     mostRays,
@@ -218,13 +219,17 @@ data Passage = Passage {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK 
 
 -- | What comes past all that a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
 passage :: World -> Ray -> Double -> Passage
-passage w !r !bound = case obstacles w r bound of
-  Obstacles opaque transparent tests
-    | opaque -> Passage 0 0 0 tests
-    | null transparent -> Passage 1 1 1 tests
-    | otherwise -> foldl' tinted (Passage 1 1 1 tests) (map snd (sortOn fst transparent))
+passage w !r !bound = past (obstacles w r bound)
+
+-- | The same, given what it meets.
+past :: Obstacles -> Passage
+past (Obstacles opaque transparent tests)
+  | opaque = Passage 0 0 0 tests
+  | null transparent = Passage 1 1 1 tests
+  | otherwise = foldl' tinted (Passage 1 1 1 tests) (map snd (sortOn fst transparent))
   where
-    tinted (Passage r' g' b' tests) f = let Colour x y z _ = finishTint f in Passage (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) tests
+    tinted (Passage r' g' b' n) f = let Colour x y z _ = finishTint f in Passage (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) n
+{-# INLINE past #-}
 
 -- | The refractive index at a point, a shape left out: 1 outside all closed shapes, that of the material inside one, the mean inside several.
 -- A point on a surface is not inside.

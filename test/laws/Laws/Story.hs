@@ -272,6 +272,7 @@ verdictsAccountForTheHit p = conjoin (map ofRay (concatMap (raysOf . sampleRay) 
         | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= 1e-9
       AtHeight height len -> isOnShape == (0 <= height && height <= len)
       InTheHole away radius -> not isOnShape && away < radius
+      OnTheRing away hole radius -> isOnShape && hole <= away && away <= radius
       SideOfDisk -> True
       OtherConditions -> True
     verdictHolds verdict roots = case verdict of
