@@ -30,13 +30,14 @@ module Dioptre.Syntax.Value
   )
 where
 
-import Data.Char (digitToInt, isDigit)
+import Data.Char (digitToInt, intToDigit, isDigit)
 import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Void (Void)
 import Dioptre.Source.Diagnostic (Refusal (..))
 import Dioptre.Source.Span (Span (..))
+import Dioptre.Syntax.Digits (shortestDigits)
 import Dioptre.Syntax.Tree (Value (..))
 import Numeric (showFFloat)
 import Text.Megaparsec (Parsec, eof, many, option, optional, runParser, satisfy, takeWhile1P, takeWhileP, (<|>))
@@ -147,16 +148,19 @@ decimal whole fraction e
 -- | The shortest decimal that reads back as the same number, in plain digits between 0.001 and ten million and with an
 -- exponent outside; always with a point, so that it is seen to be real.
 --
--- Law: @real (showReal x) == Right x@ for every x of magnitude at most 'largestReal'.
+-- Laws: @real (showReal x) == Right x@ for every x of magnitude at most 'largestReal'; no decimal of fewer digits does that.
 --
--- >>> map showReal [0.1, 60, 1e-10, -2.5e7]
--- ["0.1","60.0","1.0e-10","-2.5e7"]
+-- >>> map showReal [0.1, 60, 1e-10, -2.5e7, 1e23]
+-- ["0.1","60.0","1.0e-10","-2.5e7","1.0e23"]
 showReal :: Double -> Text
 showReal x
   | x == 0 || (size >= 1e-3 && size < 1e7) = Text.pack (showFFloat Nothing x "")
-  | otherwise = Text.pack (show x)
+  | isNaN x || isInfinite x = Text.pack (show x)
+  | otherwise = Text.pack ((if x < 0 then "-" else "") <> first <> "." <> (if null others then "0" else others) <> "e" <> show (e - 1))
   where
     size = abs x
+    (ds, e) = shortestDigits size
+    (first, others) = splitAt 1 (map intToDigit ds)
 
 -- Note [Bounded digits]
 -- ~~~~~~~~~~~~~~~~~~~~~
