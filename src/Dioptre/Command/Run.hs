@@ -28,7 +28,7 @@ import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayFault, sayText, written)
 import Dioptre.Command.Render (sayCut, sayDiagnostics, timed, traced)
-import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
+import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, opener, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
@@ -153,8 +153,23 @@ draw journal inputs configuration = withSource journal inputs configuration $ \(
 
 -- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. What it leaves is the first
 -- picture that is finished: of the scene as it was changed, if somebody changed it before. A picture that is too large for the page is drawn without it.
+-- Where no browser can be opened, as without a screen, nobody would close the page: the scene is drawn as by console.
 frame :: Journal -> Inputs -> Configuration -> IO ExitCode
-frame journal inputs configuration = withSource journal inputs configuration $ \scene ->
+frame journal inputs configuration =
+  opener >>= \case
+    Just _ -> framed journal inputs configuration
+    Nothing -> do
+      sayText journal $
+        inLanguage
+          l
+          "no browser can be opened here: the picture is drawn without its page, as by the application console; 'dioptre view' shows a scene at an address, for a browser elsewhere too"
+          "aucun navigateur ne peut s'ouvrir ici\xA0: l'image est dessinée sans sa page, comme par l'application console\xA0; 'dioptre view' montre une scène à une adresse, à un navigateur ouvert ailleurs aussi"
+      draw journal inputs configuration
+  where
+    l = journalLanguage journal
+
+framed :: Journal -> Inputs -> Configuration -> IO ExitCode
+framed journal inputs configuration = withSource journal inputs configuration $ \scene ->
   viewing journal (ViewOptions Nothing True) True scene $ \viewer ->
     awaitPicture viewer >>= \case
       Nothing -> draw journal inputs configuration

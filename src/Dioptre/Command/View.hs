@@ -9,6 +9,7 @@ module Dioptre.Command.View
     viewScene,
     builtIn,
     viewing,
+    opener,
     awaitPicture,
     awaitDeparture,
   )
@@ -18,7 +19,7 @@ import Control.Concurrent (forkIO, threadDelay)
 import Control.Concurrent.STM (atomically, check, readTVar, readTVarIO, retry)
 import Control.Exception (IOException, try)
 import Control.Monad (forever, void, when)
-import Data.Maybe (catMaybes, isJust)
+import Data.Maybe (catMaybes, isJust, listToMaybe)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, sayText)
@@ -87,15 +88,20 @@ viewing journal options unwatched (source, hasFile) act = do
 
 -- | Opens a page in the user's browser, if there is a screen and a way to do so; says whether.
 openBrowser :: String -> IO Bool
-openBrowser page = do
-  screens <- traverse lookupEnv ["DISPLAY", "WAYLAND_DISPLAY"]
-  openers <- catMaybes <$> traverse findExecutable (["xdg-open" | any (maybe False (not . null)) screens] <> ["open" | os == "darwin"])
-  case openers of
-    [] -> pure False
-    opener : _ ->
-      (try (createProcess (proc opener [page]) {std_in = NoStream, std_out = NoStream, std_err = NoStream, new_session = True}) :: IO (Either IOException (Maybe Handle, Maybe Handle, Maybe Handle, ProcessHandle))) >>= \case
+openBrowser page =
+  opener >>= \case
+    Nothing -> pure False
+    Just program ->
+      (try (createProcess (proc program [page]) {std_in = NoStream, std_out = NoStream, std_err = NoStream, new_session = True}) :: IO (Either IOException (Maybe Handle, Maybe Handle, Maybe Handle, ProcessHandle))) >>= \case
         Left _ -> pure False
         Right (_, _, _, process) -> True <$ forkIO (void (waitForProcess process))
+
+-- | The program that opens pages in the user's browser, if there is a screen and such a program.
+opener :: IO (Maybe FilePath)
+opener = do
+  screens <- traverse lookupEnv ["DISPLAY", "WAYLAND_DISPLAY"]
+  found <- traverse findExecutable (["xdg-open" | any (maybe False (not . null)) screens] <> ["open" | os == "darwin"])
+  pure (listToMaybe (catMaybes found))
 
 -- | The first picture of a viewer, when it is finished; 'Nothing' for one that is too large to be shown.
 awaitPicture :: Viewer -> IO (Maybe Frame)

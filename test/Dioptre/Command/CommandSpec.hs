@@ -6,6 +6,7 @@ module Dioptre.Command.CommandSpec
   )
 where
 
+import Control.Exception (bracket)
 import Control.Monad (forM_)
 import Data.Aeson (Value (..), decode)
 import qualified Data.Aeson.KeyMap as Keys
@@ -14,6 +15,7 @@ import qualified Data.ByteString.Char8 as Chars
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
 import Data.List (sort)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -29,8 +31,12 @@ import Dioptre.Source.Language (Language (..))
 import Dioptre.Syntax.Keyword (allSpellings)
 import qualified Network.WebSockets as WebSockets
 import System.Directory (createDirectory, createFileLink, doesFileExist, listDirectory)
+import System.Environment (lookupEnv, setEnv, unsetEnv)
 import System.Exit (ExitCode (..))
-import System.Posix.Files (createLink)
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import System.Posix.Files (createLink, setFileMode)
+import System.Timeout (timeout)
 import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe)
 import Prelude hiding (compare)
 
@@ -225,7 +231,14 @@ spec = do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application none\nread_data s.txt\n"
       heard runHere >>= \(code, out, _) -> (code, out) `shouldBe` (ExitSuccess, "")
-    it "draws for frame as for console, and ends when its page is closed" . inFolder $ do
+    it "draws for frame as for console, and ends, where no browser can be opened" . inFolder . withScreen False $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
+      (ended, out, err) <- heard (timeout 60000000 runHere)
+      (ended, out) `shouldBe` (Just ExitSuccess, "ball_000.png\n")
+      err `shouldContainText` "no browser can be opened here"
+      Text.readFile "configuration.cfg" >>= (`shouldContainText` "viewport_image_count\t1\n")
+    it "draws for frame as for console, and ends when its page is closed" . inFolder . withScreen True $ do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
       (code, rest) <- listeningTo runHere $ \out -> do
@@ -268,6 +281,18 @@ spec = do
       ["end", "fin", "view_frustum", "viewfrustum", "default_material", "scene", "model_msr", "console_comparator", "comparateur_console"]
         <> ["particle", "particule", "particles_system", "systeme_particules", "electric_charge", "charge_electrique"]
         <> ["texture_comparator", "texture_comparateur"]
+
+-- | Works with a screen, and with a browser that shows nothing; or without a screen.
+withScreen :: Bool -> IO a -> IO a
+withScreen there work = withSystemTempDirectory "screen" $ \folder -> do
+  let browser = folder </> "xdg-open"
+  writeFile browser "#!/bin/sh\n"
+  setFileMode browser 0o755
+  path <- fromMaybe "" <$> lookupEnv "PATH"
+  given ([("DISPLAY", if there then Just ":0" else Nothing), ("WAYLAND_DISPLAY", Nothing)] <> [("PATH", Just (folder <> ":" <> path)) | there]) work
+  where
+    given variables inner = foldr (\(name, value) -> bracket (lookupEnv name <* set name value) (set name) . const) inner variables
+    set name = maybe (unsetEnv name) (setEnv name)
 
 -- | The scene s.txt and the files that it reads.
 scenery :: [FilePath]
