@@ -27,6 +27,7 @@ import qualified Dioptre.Explain.WordingSpec
 import qualified Dioptre.Files.CounterSpec
 import qualified Dioptre.Files.DescriptorSpec
 import qualified Dioptre.Files.FaultSpec
+import qualified Dioptre.Files.IdentitySpec
 import qualified Dioptre.Files.NumberSpec
 import qualified Dioptre.Files.PiecesSpec
 import qualified Dioptre.Files.SearchSpec
@@ -163,6 +164,7 @@ specs = do
   describe "Dioptre.Files.Counter" Dioptre.Files.CounterSpec.spec
   describe "Dioptre.Files.Descriptor" Dioptre.Files.DescriptorSpec.spec
   describe "Dioptre.Files.Fault" Dioptre.Files.FaultSpec.spec
+  describe "Dioptre.Files.Identity" Dioptre.Files.IdentitySpec.spec
   describe "Dioptre.Files.Number" Dioptre.Files.NumberSpec.spec
   describe "Dioptre.Files.Pieces" Dioptre.Files.PiecesSpec.spec
   describe "Dioptre.Files.Search" Dioptre.Files.SearchSpec.spec

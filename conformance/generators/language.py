@@ -51,18 +51,18 @@ def check(rules, comment, flags, text, canonical=None):
 
 
 def between(x):
-    """The open interval of the numbers that are nearer to the binary64 number x > 0 than to any other."""
+    """The interval of the numbers that read back as the binary64 number x > 0, and whether its ends do: ties go to the even one."""
     import math
 
     mantissa, exponent = math.frexp(x)
     step = Fraction(2) ** max(exponent - 53, -1074)
     below = step / 2 if mantissa == 0.5 and exponent - 53 > -1074 else step
-    return Fraction(x) - below / 2, Fraction(x) + step / 2
+    return Fraction(x) - below / 2, Fraction(x) + step / 2, Fraction(x) / step % 2 == 0
 
 
 def digits_of(x):
-    """The fewest digits that are nearest to x > 0 and to no other, and the exponent of the first."""
-    low, high = between(x)
+    """The fewest digits that read back as x > 0, of several such the nearest to it, and the exponent of the first."""
+    low, high, closed = between(x)
     value, exponent = Fraction(x), 0
     while value >= Fraction(10) ** (exponent + 1):
         exponent += 1
@@ -71,7 +71,7 @@ def digits_of(x):
     for count in range(1, 19):
         unit = Fraction(10) ** (exponent - count + 1)
         first = value // unit
-        fits = [n for n in (first, first + 1) if low < n * unit < high]
+        fits = [n for n in (first, first + 1) if low < n * unit < high or closed and n * unit in (low, high)]
         if fits:
             best = min(fits, key=lambda n: abs(n * unit - value))
             text = str(best)

@@ -72,6 +72,8 @@ data Loaded = Loaded
     loadedLibrary :: Library Texture,
     -- | The models' files, as their reading ended.
     loadedModels :: [ModelRead],
+    -- | All files that were found for it, as one calls them from the working directory: models, their materials, and pictures; not the scene's own.
+    loadedFiles :: [FilePath],
     -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each in its order.
     loadedDiagnostics :: [(Source, [Diagnostic])],
     -- | What was found for each name of a file, which the scene or one of its models or their materials has, and which was looked for from that folder on.

@@ -86,11 +86,11 @@ def checked(dioptre, scene, language="en"):
 class Program:
     """Dioptre with a page: `dioptre view`, or `dioptre` in a folder with a configuration. Leaving the context ends it."""
 
-    def __init__(self, dioptre, *arguments, folder):
+    def __init__(self, dioptre, *arguments, folder, environment=ENVIRONMENT):
         self.messages = tempfile.TemporaryFile()
         # Where Ctrl-C is ignored here, as in a shell's background, it is not ignored there.
         self.process = subprocess.Popen(
-            [dioptre, *map(str, arguments)], cwd=folder, env=ENVIRONMENT, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self.messages,
+            [dioptre, *map(str, arguments)], cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self.messages,
             start_new_session=True, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         )  # fmt: skip
         self.lines = queue.Queue()

@@ -4,6 +4,7 @@ import http.server
 import os
 import re
 import socket
+import tempfile
 import threading
 import time
 from pathlib import Path
@@ -776,7 +777,12 @@ def application_frame_draws_writes_and_ends_with_its_page(trial):
     configuration = path.with_name("configuration.cfg")
     configuration.write_text("application frame\nread_data scene.txt\nwrite_data out.txt\nlog_file true\nlog_file_name log.txt\nviewport_image_count 7\nlanguage en\n")
     file = rendered(trial.dioptre, path)
-    program = trial.ends.enter_context(Program(trial.dioptre, folder=path.parent))
+    # A screen, and a browser of the user's own that shows nothing: the page is opened below.
+    desktop = Path(trial.ends.enter_context(tempfile.TemporaryDirectory(prefix="dioptre-browser-desktop-")))
+    (desktop / "xdg-open").write_text("#!/bin/sh\n")
+    (desktop / "xdg-open").chmod(0o755)
+    environment = {**ENVIRONMENT, "DISPLAY": ":0", "PATH": f"{desktop}{os.pathsep}{ENVIRONMENT['PATH']}"}
+    program = trial.ends.enter_context(Program(trial.dioptre, folder=path.parent, environment=environment))
     page = trial.open(program)
     page.wait_for_picture(png.pixels(file))
     same(Path(program.line()).name, "ball_007.png", "the path that is printed")

@@ -1,32 +1,19 @@
 """The canonical text of a scene (specification 3.9), and how numbers are written (1.3)."""
 
-from fractions import Fraction
 import math
 
 from shapes.triangle import flat_normal
 
 
 def _digits(x):
-    """The fewest digits of x > 0 that are nearer to it than to any other number, and the e with
-    x = 0.DIGITS 10^e (numbers.writing).
-
-    The digits of repr would do, but for those that are exactly half way to a neighbour.
+    """The fewest digits that read back as x > 0, the nearest of those, and the e with x = 0.DIGITS 10^e
+    (numbers.writing): those of repr.
     """
-    exact = Fraction(x)
-    gap = exact - Fraction(math.nextafter(x, 0.0))
-    low = exact - gap / 2
-    doubled = math.frexp(x)[0] == 0.5 and x > 2.3e-308     # the next gap after a power of two
-    high = exact + (gap if doubled else gap / 2)
-    exponent = int(("%.17e" % x).split("e")[1]) + 1
-    shortest = len(repr(x).split("e")[0].replace(".", "").strip("0"))
-    for n in range(shortest, 20):
-        unit = Fraction(10) ** (exponent - n)
-        floor = exact // unit
-        fitting = [k for k in (floor, floor + 1) if low < k * unit < high]
-        if fitting:
-            digits = str(min(fitting, key=lambda k: abs(k * unit - exact)))
-            return digits.rstrip("0"), exponent + len(digits) - n
-    raise ValueError(x)
+    mantissa, _, exponent = repr(x).partition("e")
+    whole, _, fraction = mantissa.partition(".")
+    digits = (whole + fraction).lstrip("0")
+    e = len(digits) - len(fraction) + int(exponent or "0")
+    return digits.rstrip("0"), e
 
 
 def number(x):

@@ -21,6 +21,7 @@ import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFau
 import Dioptre.Command.Trace (sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
+import Dioptre.Files.Identity (sameFile)
 import Dioptre.Files.Number (PictureNumber, writeNumbered)
 import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault)
@@ -74,7 +75,7 @@ render journal options = do
         else case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
           Right (scene, planned) -> do
-            obstacle <- outputObstacle options
+            obstacle <- outputObstacle options (loadedFiles loaded)
             case obstacle of
               Just fault -> ExitFailure (fst fault) <$ sayFault journal (snd fault l)
               Nothing -> drawn reading scene planned
@@ -131,12 +132,13 @@ resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportW
   where
     tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
 
--- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves.
-outputObstacle :: Options -> IO (Maybe (Int, Language -> Text))
-outputObstacle options = case optionOutput options of
+-- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves. Given the files that the scene reads, none of which is replaced,
+-- by whatever path.
+outputObstacle :: Options -> [FilePath] -> IO (Maybe (Int, Language -> Text))
+outputObstacle options files = case optionOutput options of
   Numbered _ -> pure Nothing
   ToFile path -> do
-    same <- (==) <$> canonicalizePath path <*> canonicalizePath (optionScene options)
+    replaced <- sameFile path (scene : configurationFile : files)
     let folder = takeDirectory path
     there <- doesDirectoryExist folder
     pure $

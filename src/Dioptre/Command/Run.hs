@@ -18,6 +18,7 @@ import Control.Concurrent.STM (readTVarIO)
 import Control.Exception (evaluate, onException)
 import Control.Monad (forM)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -31,6 +32,7 @@ import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, bui
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
+import Dioptre.Files.Identity (sameFile)
 import Dioptre.Files.Number (PictureNumber, next, pictureNumber, writeNumbered)
 import Dioptre.Files.Search (search)
 import Dioptre.Files.Whole (readWhole, writeWhole)
@@ -66,22 +68,30 @@ run :: Journal -> Either FileFault (Source, Configuration, [Diagnostic]) -> IO E
 run journal found = case found of
   Left (FileFault _ DoesNotExist) -> do
     Text.putStr (info l)
-    saved journal configurationFile startingConfiguration
+    whole journal configurationFile startingConfiguration
   Left fault -> ExitFailure 3 <$ sayFault journal (fileFault l fault)
   Right (source, configuration, diagnostics) -> do
     let spoken = journalWith l (configurationLogConsole configuration) journal
     sayDiagnostics spoken [(source, diagnostics)]
-    logged spoken configuration (apply spoken configuration)
+    inputs <- newIORef [configurationFile]
+    logged spoken inputs configuration (apply spoken inputs configuration)
   where
     l = journalLanguage journal
 
+-- | The files that were read so far, over which nothing is written.
+type Inputs = IORef [FilePath]
+
+-- | Notes that files are read.
+noteRead :: Inputs -> [FilePath] -> IO ()
+noteRead inputs files = modifyIORef' inputs (files <>)
+
 -- | Runs some work, and writes the log whatever becomes of it.
-logged :: Journal -> Configuration -> IO ExitCode -> IO ExitCode
-logged journal configuration work
+logged :: Journal -> Inputs -> Configuration -> IO ExitCode -> IO ExitCode
+logged journal inputs configuration work
   | not (configurationLogFile configuration) = work
   | otherwise = worse <$> (work `onException` writeLog) <*> writeLog
   where
-    writeLog = written journal >>= saved journal (Text.unpack (configurationLogName configuration))
+    writeLog = written journal >>= saved journal inputs (Text.unpack (configurationLogName configuration))
 
 -- | The exit code of two things done one after the other: the first that is not success.
 worse :: ExitCode -> ExitCode -> ExitCode
@@ -89,13 +99,13 @@ worse ExitSuccess code = code
 worse code _ = code
 
 -- | Runs the application.
-apply :: Journal -> Configuration -> IO ExitCode
-apply journal configuration = case configurationApplication configuration of
+apply :: Journal -> Inputs -> Configuration -> IO ExitCode
+apply journal inputs configuration = case configurationApplication configuration of
   RunNothing -> ExitSuccess <$ sayText journal (inLanguage l "configuration.cfg runs no application" "configuration.cfg ne lance aucune application")
   RunInfo -> Text.putStr (info l) >> writeDefaultScene journal
-  RunConsole -> draw journal configuration
-  RunFrame -> frame journal configuration
-  RunComparator -> compareAll journal configuration
+  RunConsole -> draw journal inputs configuration
+  RunFrame -> frame journal inputs configuration
+  RunComparator -> compareAll journal inputs configuration
   where
     l = journalLanguage journal
 
@@ -103,42 +113,75 @@ apply journal configuration = case configurationApplication configuration of
 writeDefaultScene :: Journal -> IO ExitCode
 writeDefaultScene journal = do
   there <- doesFileExist (Text.unpack defaultSceneFile)
-  if there then pure ExitSuccess else saved journal (Text.unpack defaultSceneFile) defaultScene
+  if there then pure ExitSuccess else whole journal (Text.unpack defaultSceneFile) defaultScene
 
 -- | Writes a text, whole. A failure is told, and is exit code 3.
-saved :: Journal -> FilePath -> Text -> IO ExitCode
-saved journal path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
+whole :: Journal -> FilePath -> Text -> IO ExitCode
+whole journal path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
+
+-- | The same, but not over a file that was read, by whatever path.
+saved :: Journal -> Inputs -> FilePath -> Text -> IO ExitCode
+saved journal inputs path text =
+  readIORef inputs >>= sameFile path >>= \case
+    Just file -> failed journal (isInput file)
+    Nothing -> whole journal path text
+  where
+    l = journalLanguage journal
+    isInput file =
+      Text.concat
+        [ Text.pack path,
+          inLanguage l ": this is a file that was read" "\xA0: c'est un fichier qui a été lu",
+          if file == path then "" else " (" <> Text.pack file <> ")",
+          inLanguage l "; it stays as it is" "\xA0; il reste comme il est"
+        ]
 
 failed :: Journal -> Text -> IO ExitCode
 failed journal fault = ExitFailure 3 <$ sayFault journal fault
 
 -- | Draws the scene: reads it, traces it, writes the picture, counts it, and writes the scene back.
-draw :: Journal -> Configuration -> IO ExitCode
-draw journal configuration = withSource journal configuration $ \(source, _) -> do
+draw :: Journal -> Inputs -> Configuration -> IO ExitCode
+draw journal inputs configuration = withSource journal inputs configuration $ \(source, _) -> do
   (reading, loaded) <- timed (loadSource l source)
+  noteRead inputs (loadedFiles loaded)
   sayScene journal loaded (inLanguage l "; read in " "\xA0; lue en " <> seconds reading)
   let planned = loadedPlan loaded
   (indexing, size) <- timed (evaluate (planExtent planned))
   sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
   (tracing, (image, tally)) <- timed (traced journal planned)
-  leave journal configuration (loadedScene loaded) image tracing tally
+  leave journal inputs configuration (loadedScene loaded) image tracing tally
   where
     l = journalLanguage journal
 
 -- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. What it leaves is the first
 -- picture that is finished: of the scene as it was changed, if somebody changed it before. A picture that is too large for the page is drawn without it.
-frame :: Journal -> Configuration -> IO ExitCode
-frame journal configuration = withSource journal configuration $ \scene ->
+-- Where no browser can be opened, as without a screen, nobody would close the page: the scene is drawn as by console.
+frame :: Journal -> Inputs -> Configuration -> IO ExitCode
+frame journal inputs configuration =
+  opener >>= \case
+    Just _ -> framed journal inputs configuration
+    Nothing -> do
+      sayText journal $
+        inLanguage
+          l
+          "no browser can be opened here: the picture is drawn without its page, as by the application console; 'dioptre view' shows a scene at an address, for a browser elsewhere too"
+          "aucun navigateur ne peut s'ouvrir ici\xA0: l'image est dessinée sans sa page, comme par l'application console\xA0; 'dioptre view' montre une scène à une adresse, à un navigateur ouvert ailleurs aussi"
+      draw journal inputs configuration
+  where
+    l = journalLanguage journal
+
+framed :: Journal -> Inputs -> Configuration -> IO ExitCode
+framed journal inputs configuration = withSource journal inputs configuration $ \scene ->
   viewing journal (ViewOptions Nothing True) True scene $ \viewer ->
     awaitPicture viewer >>= \case
-      Nothing -> draw journal configuration
+      Nothing -> draw journal inputs configuration
       Just shown -> do
         let loaded = frameLoaded shown
+        noteRead inputs (loadedFiles loaded)
         sayScene journal loaded ""
         sayText journal (extent l (planExtent (framePlan shown)))
         progress <- readTVarIO (frameProgress shown)
         image <- framePicture shown
-        code <- leave journal configuration (loadedScene loaded) image (progressSeconds progress) (progressTally progress)
+        code <- leave journal inputs configuration (loadedScene loaded) image (progressSeconds progress) (progressTally progress)
         code <$ awaitDeparture viewer
   where
     l = journalLanguage journal
@@ -155,8 +198,8 @@ sayScene journal loaded end = do
     primitives = length (scenePrimitives (loadedScene loaded))
 
 -- | Leaves what an application leaves of a picture that took some seconds: the picture, its number, and the scene.
-leave :: Journal -> Configuration -> Scene -> Picture -> Double -> Tally -> IO ExitCode
-leave journal configuration scene image tracing tally = do
+leave :: Journal -> Inputs -> Configuration -> Scene -> Picture -> Double -> Tally -> IO ExitCode
+leave journal inputs configuration scene image tracing tally = do
   sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
   sayCut journal tally
   (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
@@ -166,13 +209,13 @@ leave journal configuration scene image tracing tally = do
       sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds writing)
       Text.putStrLn (Text.pack path)
       hFlush stdout
-      worse <$> count journal (next used) <*> saved journal (Text.unpack (configurationWrite configuration)) (writeScene scene)
+      worse <$> count journal (next used) <*> saved journal inputs (Text.unpack (configurationWrite configuration)) (writeScene scene)
   where
     l = journalLanguage journal
 
 -- | Does some work with the text of the scene that the configuration names, and whether its name is the path of a file: the built-in one, or one that is looked for.
-withSource :: Journal -> Configuration -> ((Source, Bool) -> IO ExitCode) -> IO ExitCode
-withSource journal configuration act = do
+withSource :: Journal -> Inputs -> Configuration -> ((Source, Bool) -> IO ExitCode) -> IO ExitCode
+withSource journal inputs configuration act = do
   sayText journal (inLanguage l "reading scene '" "lecture de la scène '" <> name <> "'")
   source >>= either (failed journal) act
   where
@@ -183,7 +226,7 @@ withSource journal configuration act = do
       | otherwise =
         search "." "." name >>= \case
           Left fault -> pure (Left (searchFault l fault))
-          Right path -> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readWhole path
+          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readWhole path
 
 -- | The number that the configuration wants the next picture to have.
 firstNumber :: Configuration -> PictureNumber
@@ -197,25 +240,26 @@ count journal following =
     >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
 
 -- | Compares the pairs of a list, prints how each differs, and writes the list back. Exit code 1 if any does.
-compareAll :: Journal -> Configuration -> IO ExitCode
-compareAll journal configuration = do
+compareAll :: Journal -> Inputs -> Configuration -> IO ExitCode
+compareAll journal inputs configuration = do
   found <- search "." "." (configurationRead configuration)
   case found of
     Left fault -> failed journal (searchFault l fault)
-    Right path ->
+    Right path -> do
+      noteRead inputs [path]
       readWhole path >>= \bytes -> case decode path <$> bytes of
         Left fault -> failed journal (fileFault l fault)
         Right source -> do
           let (pairs, diagnostics) = checkComparisons (parse source)
           sayDiagnostics journal [(source, diagnostics)]
-          codes <- forM (zip [1 :: Int ..] pairs) $ uncurry (comparePair journal path)
-          code <- saved journal (Text.unpack (configurationWrite configuration)) (writeComparisons pairs)
+          codes <- forM (zip [1 :: Int ..] pairs) $ uncurry (comparePair journal inputs path)
+          code <- saved journal inputs (Text.unpack (configurationWrite configuration)) (writeComparisons pairs)
           pure (maximum (code : codes))
   where
     l = journalLanguage journal
 
-comparePair :: Journal -> FilePath -> Int -> (Text, Text) -> IO ExitCode
-comparePair journal list i (a, b) = do
+comparePair :: Journal -> Inputs -> FilePath -> Int -> (Text, Text) -> IO ExitCode
+comparePair journal inputs list i (a, b) = do
   left <- shown a
   right <- shown b
   case (,) <$> left <*> right of
@@ -227,7 +271,10 @@ comparePair journal list i (a, b) = do
       pure (if difference p q == Equal then ExitSuccess else ExitFailure 1)
   where
     l = journalLanguage journal
-    shown name = search "." (takeDirectory list) name >>= either (pure . Left . searchFault l) (drawnOrLoaded l)
+    shown name = search "." (takeDirectory list) name >>= either (pure . Left . searchFault l) had
+    had path = do
+      outcome <- drawnOrLoaded l path
+      outcome <$ noteRead inputs (path : [file | Right (_, Just scene) <- [outcome], file <- loadedFiles scene])
     result outcome =
       Text.putStrLn $
         inLanguage l "comparison #" "comparaison nº " <> Text.pack (show i) <> ": " <> a <> ", " <> b <> ": " <> outcome

@@ -13,6 +13,7 @@ module Dioptre.Command.View
     viewScene,
     builtIn,
     viewing,
+    opener,
     awaitPicture,
     awaitDeparture,
   )

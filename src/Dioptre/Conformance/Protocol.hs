@@ -43,6 +43,8 @@ import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
+import Data.Text.Encoding (encodeUtf8Builder)
+import Dioptre.Syntax.Value (showReal)
 
 -- | An operation with its arguments.
 data Request = Request
@@ -147,6 +149,7 @@ writeValue value = case value of
   where
     number x
       | abs x < 9007199254740992 && x == fromIntegral whole = Encoding.integer whole
-      | otherwise = Encoding.double x
+      | isInfinite x = Encoding.null_
+      | otherwise = Encoding.unsafeToEncoding (encodeUtf8Builder (showReal x))
       where
         whole = truncate x :: Integer

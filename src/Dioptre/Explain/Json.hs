@@ -4,7 +4,7 @@
 -- Module      : Dioptre.Explain.Json
 -- Description : The story of a pixel for programs
 --
--- One object with everything that is told. Numbers are JSON numbers with the shortest digits that read back to the same binary64; vectors are arrays of three, colours
+-- One object with everything that is told. Numbers are JSON numbers that read back to the same binary64; vectors are arrays of three, colours
 -- @[r, g, b]@; shapes, primitives, lights, triangles and samples count from 0. What is not there is absent, or @null@ where that is said.
 --
 -- > {"scene":"scene.txt", "column":0, "row":0, "width":500, "height":500,
@@ -22,7 +22,7 @@
 -- >             "moved":{"t0","k"},                                        t = (t0 + s) k
 -- >             "conditions":[CONDITION],
 -- >             "roots":[{"t", "condition":n, "fate":"kept"|"later"|"behind"|"tooNear"|"beyondFar"|"outside",
--- >                       "measured":{"distance","radius"} or {"distance","innerRadius"} or {"t1","t2"} or {"height","length"}}]}
+-- >                       "measured":{"distance","radius"} or {"distance","hole","radius"} or {"distance","innerRadius"} or {"t1","t2"} or {"height","length"}}]}
 -- > CONDITION  {"of":"sphere", "degree":2, "coefficients":[{"name":"A","formula":"<d, d>","value"}], "letters":["w = o - C", ...], "discriminant", "shift"}
 -- >            {"of":"faces x", "rate":{...}, "start":{...}, "low", "high"}      low <= start + rate t <= high
 -- >            {"of":"reach", "distance", "reach"}
@@ -175,6 +175,7 @@ root r = object (["t" .= rootParameter r, "condition" .= rootCondition r, "fate"
     measured = case rootMeasure r of
       AwayFromCentre away radius -> ["distance" .= away, "radius" .= radius]
       InTheHole away radius -> ["distance" .= away, "innerRadius" .= radius]
+      OnTheRing away hole radius -> ["distance" .= away, "hole" .= hole, "radius" .= radius]
       Barycentric t1 t2 -> ["t1" .= t1, "t2" .= t2]
       AtHeight height len -> ["height" .= height, "length" .= len]
       SideOfDisk -> []

@@ -4,7 +4,7 @@
 -- Module      : Dioptre.Explain.Phrase
 -- Description : Shapes, numbers and colours in words
 --
--- The small pieces of which stories are made in words. Numbers are as short as they read back.
+-- The small pieces of which stories are made in words. Numbers are as short as they read back, and -0 is 0: whoever reads a story learns nothing from its sign.
 module Dioptre.Explain.Phrase
   ( -- * Shapes
     thingText,
@@ -13,6 +13,7 @@ module Dioptre.Explain.Phrase
     -- * Numbers
     number,
     counted,
+    real,
     vec,
     triple,
     pair,
@@ -82,8 +83,12 @@ number = Text.pack . show
 counted :: Language -> Int -> (Text, Text) -> (Text, Text) -> Text
 counted l n en fr = number n <> " " <> inLanguage l (if n == 1 then fst en else snd en) (if n < 2 then fst fr else snd fr)
 
+-- | A real number: all of them are written here.
+real :: Double -> Text
+real x = showReal (if x == 0 then 0 else x)
+
 list :: [Double] -> Text
-list xs = "[" <> Text.intercalate ", " (map showReal xs) <> "]"
+list xs = "[" <> Text.intercalate ", " (map real xs) <> "]"
 
 -- | A vector, as scenes have it.
 vec :: Vector -> Text
@@ -95,7 +100,7 @@ triple (x, y, z) = list [x, y, z]
 
 -- | A place in a pixel.
 pair :: (Double, Double) -> Text
-pair (x, y) = "(" <> showReal x <> ", " <> showReal y <> ")"
+pair (x, y) = "(" <> real x <> ", " <> real y <> ")"
 
 -- | Red, green and blue.
 colour :: Colour -> Text
@@ -107,7 +112,7 @@ pixelText (Pixel r g b a) = "(" <> Text.intercalate ", " (map (Text.pack . show)
 
 -- | An angle in degrees.
 degrees :: Double -> Text
-degrees a = showReal (a * 180 / pi) <> "°"
+degrees a = real (a * 180 / pi) <> "°"
 
 -- | The parameter that a ray must exceed to meet anything.
 --

@@ -23,7 +23,7 @@ where
 import Data.List (foldl')
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
-import qualified Data.Text as Text
+import Dioptre.Explain.Phrase (real, vec)
 import Dioptre.Explain.Story
 import Dioptre.Geometry.Axis (Round, axisEnd, axisLength, axisStart, roundAxis, roundRadius)
 import Dioptre.Geometry.Cap (capCurvature, capDisk, centreDepth, sphereOver)

@@ -282,6 +282,8 @@ data Measure
     AwayFromCentre Double Double
   | -- | Its distance from the centre, where it is less than the inner radius; and that.
     InTheHole Double Double
+  | -- | Its distance from the centre, where it is on the ring between the inner and the outer radius; and those two.
+    OnTheRing Double Double Double
   | -- | Its coordinates t1 and t2 in the triangle; neither is negative on it, and the sum is at most 1.
     Barycentric Double Double
   | -- | Its height along the axis, and the length; from 0 to that it is on the shape.

@@ -278,9 +278,8 @@ arrivalOf setting p way
   | obstaclesOpaque between = InShadow way (blocker setting shadow distance')
   | Transmittance r g b _ <- transmittance (stageWorld st) shadow distance' = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
   where
-    st = stageOf setting
     shadow = ray p (negate (approachDirection way))
-    between = obstacles (stageWorld st) shadow distance'
+    between = obstacles (stageWorld (stageOf setting)) shadow distance'
     distance' = fromMaybe farthest (approachDistance way)
 
 -- | What lets nothing through on the way of a shadow ray, and where: the nearest such shape, or, behind transparent ones, the first in number.

@@ -18,7 +18,6 @@ import qualified Data.Text as Text
 import Dioptre.Explain.Phrase
 import Dioptre.Explain.Story
 import Dioptre.Source.Language (Language, inLanguage)
-import Dioptre.Syntax.Value (showReal)
 
 -- | How many shapes are told one by one where there are many.
 shapesTold :: Int
@@ -85,7 +84,7 @@ encounterText :: Language -> Encounter -> [Text]
 encounterText l e =
   ["  " <> thingText l (encounterThing e) <> say ": " "\xA0: " <> verdictText l (encounterVerdict e)]
     <> maybe [] (\r -> say "    in its own frame" "    dans son repère" : rayIn "      " r) (equationRay equation)
-    <> maybe [] (\(t0, k) -> ["    t = " <> (if k == 1 then "t0 + s" else "(t0 + s) k, k = " <> showReal k) <> ", t0 = " <> showReal t0]) (equationMoved equation)
+    <> maybe [] (\(t0, k) -> ["    t = " <> (if k == 1 then "t0 + s" else "(t0 + s) k, k = " <> real k) <> ", t0 = " <> real t0]) (equationMoved equation)
     <> concat [conditionText l letter [rootParameter root | root <- encounterRoots e, rootCondition root == i] condition | (i, condition) <- zip [0 ..] (equationConditions equation)]
     <> nub (map rootText (filter isTold (encounterRoots e)))
     <> sharedText
@@ -98,17 +97,17 @@ encounterText l e =
     slabsOnly = not (null ranges) && length ranges == length (equationConditions equation)
     ranges = [(low, high) | (i, LiesBetween {}) <- zip [0 ..] (equationConditions equation), [low, high] <- [[rootParameter root | root <- encounterRoots e, rootCondition root == i]]]
     sharedText
-      | slabsOnly && lastEntry > firstExit = [say "    so nowhere in all of them: the last entry, t = " "    donc nulle part entre toutes\xA0: la dernière entrée, t = " <> showReal lastEntry <> say ", comes after the first exit, t = " ", vient après la première sortie, t = " <> showReal firstExit]
+      | slabsOnly && lastEntry > firstExit = [say "    so nowhere in all of them: the last entry, t = " "    donc nulle part entre toutes\xA0: la dernière entrée, t = " <> real lastEntry <> say ", comes after the first exit, t = " ", vient après la première sortie, t = " <> real firstExit]
       | otherwise = []
       where
         lastEntry = maximum (map fst ranges)
         firstExit = minimum (map snd ranges)
-    rootText root = "    t = " <> showReal (rootParameter root) <> "  " <> fateText l (rootFate root) <> (if rootFate root `elem` [Taken, Outside] then measureText l root else "")
+    rootText root = "    t = " <> real (rootParameter root) <> "  " <> fateText l (rootFate root) <> (if rootFate root `elem` [Taken, Outside] then measureText l root else "")
 
 verdictText :: Language -> Verdict -> Text
 verdictText l verdict = case verdict of
   Meets t kept ->
-    say "met at t = " "rencontre à t = " <> showReal t <> case kept of
+    say "met at t = " "rencontre à t = " <> real t <> case kept of
       IsClosest -> say "; nothing is nearer" "\xA0; rien n'est plus proche"
       IsFarther -> say "; something is nearer" "\xA0; quelque chose est plus proche"
       IsAsNear -> say "; another one as near stands before it in the file" "\xA0; une autre, aussi proche, la précède dans le fichier"
@@ -137,10 +136,11 @@ fateText l fate = case fate of
 -- | What was measured at a root, where it says more than the equations.
 measureText :: Language -> Root -> Text
 measureText l root = case rootMeasure root of
-  AwayFromCentre away radius -> say ": the point is " "\xA0: le point est à " <> showReal away <> say " from the centre, " " du centre, " <> (if outside then say "more than R = " "plus de R = " else say "at most R = " "au plus R = ") <> showReal radius
-  InTheHole away radius -> say ": the point is " "\xA0: le point est à " <> showReal away <> say " from the centre, less than " " du centre, moins de " <> showReal radius
-  Barycentric t1 t2 -> ": t1 = " <> showReal t1 <> ", t2 = " <> showReal t2 <> ", 1 - t1 - t2 = " <> showReal (1 - t1 - t2) <> (if outside then say "; on the triangle none is negative" "\xA0; sur le triangle, aucun n'est négatif" else "")
-  AtHeight height len -> say ": at the height " "\xA0: à la hauteur " <> showReal height <> (if outside then say ", not from 0 to " ", pas de 0 à " else say ", from 0 to " ", de 0 à ") <> showReal len
+  AwayFromCentre away radius -> say ": the point is " "\xA0: le point est à " <> real away <> say " from the centre, " " du centre, " <> (if outside then say "more than R = " "plus de R = " else say "at most R = " "au plus R = ") <> real radius
+  InTheHole away radius -> say ": the point is " "\xA0: le point est à " <> real away <> say " from the centre, less than r = " " du centre, moins de r = " <> real radius
+  OnTheRing away hole radius -> say ": the point is " "\xA0: le point est à " <> real away <> say " from the centre, at least r = " " du centre, au moins r = " <> real hole <> say " and at most R = " " et au plus R = " <> real radius
+  Barycentric t1 t2 -> ": t1 = " <> real t1 <> ", t2 = " <> real t2 <> ", 1 - t1 - t2 = " <> real (1 - t1 - t2) <> (if outside then say "; on the triangle none is negative" "\xA0; sur le triangle, aucun n'est négatif" else "")
+  AtHeight height len -> say ": at the height " "\xA0: à la hauteur " <> real height <> (if outside then say ", not from 0 to " ", pas de 0 à " else say ", from 0 to " ", de 0 à ") <> real len
   SideOfDisk -> if outside then say ": on the other side of the disk" "\xA0: de l'autre côté du disque" else ""
   OtherConditions -> if outside then say ": the other conditions do not hold there" "\xA0: les autres conditions n'y tiennent pas" else ""
   where
@@ -151,27 +151,27 @@ measureText l root = case rootMeasure root of
 conditionText :: Language -> Text -> [Double] -> Condition -> [Text]
 conditionText l letter roots condition = case condition of
   PolynomialIsZero patch coefficients letters discriminant shift ->
-    ["    " <> patchText l patch <> say ": " "\xA0: " <> polynomial (if shift == 0 then letter else "s'") (length coefficients - 1) <> (if shift == 0 then "" else ", s = s' + " <> showReal shift)]
-      <> ["      " <> Text.justifyLeft 2 ' ' name <> "= " <> Text.justifyLeft widest ' ' formula <> " = " <> showReal x | Coefficient name formula x <- coefficients]
+    ["    " <> patchText l patch <> say ": " "\xA0: " <> polynomial (if shift == 0 then letter else "s'") (length coefficients - 1) <> (if shift == 0 then "" else ", s = s' + " <> real shift)]
+      <> ["      " <> Text.justifyLeft 2 ' ' name <> "= " <> Text.justifyLeft widest ' ' formula <> " = " <> real x | Coefficient name formula x <- coefficients]
       <> map ("      " <>) (filled 100 letters)
-      <> ["      B^2 - 4 A C = " <> showReal d | Just d <- [discriminant]]
+      <> ["      B^2 - 4 A C = " <> real d | Just d <- [discriminant]]
     where
       widest = maximum (0 : [Text.length formula | Coefficient _ formula _ <- coefficients])
   LiesBetween patch (Coefficient _ fa a) (Coefficient _ fb b) low high ->
     [ "    " <> patchText l patch <> say ": " "\xA0: " <> case roots of
-        [enter, leave] -> say "from t = " "de t = " <> showReal enter <> say " to t = " " à t = " <> showReal leave
+        [enter, leave] -> say "from t = " "de t = " <> real enter <> say " to t = " " à t = " <> real leave
         _
           | low <= b && b <= high -> say "everywhere" "partout"
           | otherwise -> say "nowhere" "nulle part",
-      "      " <> showReal low <> " <= " <> fb <> " + " <> fa <> " " <> letter <> " <= " <> showReal high <> values
+      "      " <> real low <> " <= " <> fb <> " + " <> fa <> " " <> letter <> " <= " <> real high <> values
     ]
     where
       -- Those of a cube are the ray's own.
       values = case patch of
         TheFaces _ -> ""
-        _ -> "    " <> fb <> " = " <> showReal b <> ", " <> fa <> " = " <> showReal a
+        _ -> "    " <> fb <> " = " <> real b <> ", " <> fa <> " = " <> real a
   PassesNear away reach ->
-    ["    " <> say "the line passes " "la droite passe à " <> showReal away <> say " from the centre, and the shape reaches as far as " " du centre, et la forme s'étend jusqu'à " <> showReal reach]
+    ["    " <> say "the line passes " "la droite passe à " <> real away <> say " from the centre, and the shape reaches as far as " " du centre, et la forme s'étend jusqu'à " <> real reach]
   where
     say = inLanguage l
 

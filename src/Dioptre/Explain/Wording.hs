@@ -23,7 +23,6 @@ import Dioptre.Math.Vector (vector)
 import Dioptre.Picture.Byte (Pixel (..))
 import Dioptre.Scene.Raytracer (ColourNormalization (..), Raytracer (..), algorithmName, mostRays)
 import Dioptre.Source.Language (Language, inLanguage)
-import Dioptre.Syntax.Value (showReal)
 import Linear.V2 (V2 (..))
 
 -- | The story, in lines, with the name of the scene.
@@ -173,7 +172,7 @@ hitText l r name hit =
   [ say "Where it sees " "Là où il voit " <> theThing l (hitThing hit),
     say "  point    " "  point    " <> "r(t) = " <> vec (hitPoint hit),
     say "  normal   " "  normale  " <> vec (vector (hitNormal hit)) <> (if hitNormal hit == hitOutward hit then "" else say "  (turned towards the ray)" "  (tournée vers le rayon)"),
-    "  uv       [" <> showReal u <> ", " <> showReal v <> "]",
+    "  uv       [" <> real u <> ", " <> real v <> "]",
     ""
   ]
     <> lightText l r hit
@@ -192,7 +191,7 @@ lightText l r hit = case hitShares hit of
   Just shares ->
     [say "The light there" "La lumière à cet endroit"]
       <> [ say "  the surface: ambient " "  la surface\xA0: ambiant " <> colour (ambientOf colours) <> say ", diffuse " ", diffus " <> colour (diffuseOf colours) <> ",",
-           say "    specular " "    spéculaire " <> colour (specularOf colours) <> say ", shininess " ", brillance " <> showReal (shininessOf colours) <> pictured
+           say "    specular " "    spéculaire " <> colour (specularOf colours) <> say ", shininess " ", brillance " <> real (shininessOf colours) <> pictured
          ]
       <> [say "  there is no light in the scene" "  il n'y a pas de lumière dans la scène" | null shares]
       <> concatMap (shareText l) shares
@@ -216,15 +215,15 @@ shareText l share = ("  " <> number (shareLight share + 1) <> " " <> kind <> " "
       FromAllSides -> say "from everywhere" "de partout"
       LeftOut -> say "left out by this algorithm" "laissée de côté par cet algorithme"
       Nowhere -> say "nothing: the point is where the light is, or the attenuation is not defined there" "rien\xA0: le point est là où est la lumière, ou l'atténuation n'y est pas définie"
-      FacesAway way -> say "nothing: the surface is turned away (cosine " "rien\xA0: la surface lui tourne le dos (cosinus " <> showReal (approachCosine way) <> ")"
-      InShadow way by -> say "nothing: in the shadow" "rien\xA0: dans l'ombre" <> maybe "" (\(thing, t) -> say " of " " de " <> theThing l thing <> say ", " ", à " <> showReal t <> say " away" "") by <> wayText way
+      FacesAway way -> say "nothing: the surface is turned away (cosine " "rien\xA0: la surface lui tourne le dos (cosinus " <> real (approachCosine way) <> ")"
+      InShadow way by -> say "nothing: in the shadow" "rien\xA0: dans l'ombre" <> maybe "" (\(thing, t) -> say " of " " de " <> theThing l thing <> say ", " ", à " <> real t <> say " away" "") by <> wayText way
       Arrives way open through ->
         say "arrives" "arrive" <> (if null through then "" else say " through " " à travers " <> Text.intercalate ", " (map (theThing l) through) <> tint open) <> wayText way
     tint (Colour r g b _) = say ", times " ", fois " <> triple (r, g, b)
     wayText way =
-      maybe "" (\far -> say "; distance " "\xA0; distance " <> showReal far <> (if approachFactor way == 1 then "" else say ", attenuation " ", atténuation " <> showReal (approachFactor way))) (approachDistance way)
+      maybe "" (\far -> say "; distance " "\xA0; distance " <> real far <> (if approachFactor way == 1 then "" else say ", attenuation " ", atténuation " <> real (approachFactor way))) (approachDistance way)
         <> say "; cosine " "\xA0; cosinus "
-        <> showReal (approachCosine way)
+        <> real (approachCosine way)
     terms = ["      " <> Text.justifyLeft 11 ' ' (termText l term) <> colour c | (term, c) <- shareTerms share]
 
 termText :: Language -> Term -> Text
@@ -248,13 +247,13 @@ zipBounces = go 1
 
 bounceText :: Language -> Text -> (Int, Bounce) -> [Text]
 bounceText l name (k, bounce) = case bounceKind bounce of
-  Reflection -> [say "A mirror, kr = " "Un miroir, kr = " <> showReal (bounceCoefficient bounce) <> say ": angle of incidence " "\xA0: angle d'incidence " <> degrees (bounceAngleIn bounce) <> outcome]
+  Reflection -> [say "A mirror, kr = " "Un miroir, kr = " <> real (bounceCoefficient bounce) <> say ": angle of incidence " "\xA0: angle d'incidence " <> degrees (bounceAngleIn bounce) <> outcome]
   Refraction n1 n2 enters ->
-    [ say "Transparent, kt = " "Transparent, kt = " <> showReal (bounceCoefficient bounce) <> (if enters then say ", entering: " ", en entrant\xA0: " else say ", leaving: " ", en sortant\xA0: ")
+    [ say "Transparent, kt = " "Transparent, kt = " <> real (bounceCoefficient bounce) <> (if enters then say ", entering: " ", en entrant\xA0: " else say ", leaving: " ", en sortant\xA0: ")
         <> "n1 = "
-        <> showReal n1
+        <> real n1
         <> ", n2 = "
-        <> showReal n2
+        <> real n2
         <> say ", angle of incidence " ", angle d'incidence "
         <> degrees (bounceAngleIn bounce)
         <> outcome

@@ -47,11 +47,12 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeLatin1, decodeUtf8')
+import Dioptre.Files.Identity (identity)
 import qualified GHC.Foreign as Foreign
 import GHC.IO.Encoding (getFileSystemEncoding)
 import System.Directory (canonicalizePath, doesFileExist, listDirectory)
 import System.FilePath (isRelative, makeRelative, normalise, (</>))
-import System.Posix.Files (deviceID, fileID, getFileStatus, getSymbolicLinkStatus, isDirectory)
+import System.Posix.Files (getSymbolicLinkStatus, isDirectory)
 
 -- | Why a name leads to no file. The name is given as it was written.
 data SearchFault
@@ -171,13 +172,12 @@ distinct :: FilePath -> [FilePath] -> IO [FilePath]
 distinct working paths = keepNew Set.empty <$> traverse identified paths
   where
     identified path = do
-      identity <- orElse (Left path) (identityOf <$> getFileStatus (working </> path))
-      pure (identity, path)
-    identityOf status = Right (deviceID status, fileID status)
+      file <- identity (working </> path)
+      pure (maybe (Left path) Right file, path)
     keepNew _ [] = []
-    keepNew seen ((identity, path) : rest)
-      | identity `Set.member` seen = keepNew seen rest
-      | otherwise = path : keepNew (Set.insert identity seen) rest
+    keepNew seen ((file, path) : rest)
+      | file `Set.member` seen = keepNew seen rest
+      | otherwise = path : keepNew (Set.insert file seen) rest
 
 -- Paths
 

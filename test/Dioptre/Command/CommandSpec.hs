@@ -6,6 +6,7 @@ module Dioptre.Command.CommandSpec
   )
 where
 
+import Control.Exception (bracket)
 import Control.Monad (forM_)
 import Data.Aeson (Value (..), decode)
 import qualified Data.Aeson.KeyMap as Keys
@@ -14,6 +15,7 @@ import qualified Data.ByteString.Char8 as Chars
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
 import Data.List (sort)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -29,8 +31,13 @@ import Dioptre.Command.Run (readConfiguration, run)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Syntax.Keyword (allSpellings)
 import qualified Network.WebSockets as WebSockets
-import System.Directory (createDirectory, doesFileExist, listDirectory)
+import System.Directory (createDirectory, createFileLink, doesFileExist, listDirectory)
+import System.Environment (lookupEnv, setEnv, unsetEnv)
 import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.IO.Temp (withSystemTempDirectory)
+import System.Posix.Files (createLink, setFileMode)
+import System.Timeout (timeout)
 import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe)
 import Prelude hiding (compare)
 
@@ -55,6 +62,29 @@ spec = do
       (code, _, _) <- heard (render' plainOptions {optionOutput = ToFile "./s.txt"})
       code `shouldBe` ExitFailure 2
       Text.readFile "s.txt" >>= (`shouldBe` sphereScene)
+    it "refuses to replace a file that the scene reads, by whatever path, and the configuration" . inFolder $ do
+      writeScenery
+      Text.writeFile "configuration.cfg" "application none\n"
+      createFileLink "models/b.obj" "link.png"
+      createLink "a.png" "hard.png"
+      createFileLink "s.txt" "scene.png"
+      before <- traverse Bytes.readFile scenery
+      forM_ (map ("./" <>) scenery <> ["models/../a.png", "link.png", "hard.png", "scene.png", "configuration.cfg"]) $ \path -> do
+        (code, out, err) <- heard (render' plainOptions {optionOutput = ToFile path})
+        (path, code, out) `shouldBe` (path, ExitFailure 2, "")
+        err `shouldContainText` "the picture would replace"
+      traverse Bytes.readFile scenery >>= (`shouldBe` before)
+      Text.readFile "configuration.cfg" >>= (`shouldBe` "application none\n")
+      -- A picture beside them that nobody reads gives way.
+      Text.writeFile "p.png" "old"
+      (code, out, _) <- heard (render' plainOptions {optionOutput = ToFile "p.png"})
+      (code, out) `shouldBe` (ExitSuccess, "p.png\n")
+    it "says in both languages which file it would replace" . inFolder $ do
+      writeScenery
+      (_, _, err) <- heard (render' plainOptions {optionOutput = ToFile "./a.png"})
+      err `shouldContainText` "the picture would replace a file that the scene reads: a.png"
+      (_, _, err') <- heard (newJournal French True >>= (`render` plainOptions {optionOutput = ToFile "./a.png"}))
+      err' `shouldContainText` "l'image remplacerait un fichier que la sc\xE8ne lit\xA0: a.png"
     it "draws a faulty scene all the same, and says what is wrong on standard error" . inFolder $ do
       Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene)
       (code, out, err) <- heard (render' plainOptions)
@@ -184,6 +214,25 @@ spec = do
       code `shouldBe` ExitSuccess
       log' <- Text.readFile "log.txt"
       forM_ ["model 'a.msr' read: 1 primitive", "model 'b.obj' read: 1 triangle, 0 quads, 0 other polygons", "model 'c.agp' read: 2 tubes"] (log' `shouldContainText`)
+    it "writes neither the scene nor the log over a file that was read, and the rest all the same" . inFolder $ do
+      writeScenery
+      createFileLink "s.txt" "l.txt"
+      before <- traverse Bytes.readFile scenery
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data a.png\nlog_file_name l.txt\n"
+      (code, out, err) <- heard runHere
+      (code, out) `shouldBe` (ExitFailure 3, "ball_000.png\n")
+      forM_ ["a.png: this is a file that was read; it stays as it is", "l.txt: this is a file that was read (s.txt); it stays as it is"] (err `shouldContainText`)
+      traverse Bytes.readFile scenery >>= (`shouldBe` before)
+    it "writes no list over a picture that it compares, nor over what such a scene reads" . inFolder $ do
+      writeScenery
+      before <- traverse Bytes.readFile scenery
+      Text.writeFile "list.txt" "texture_comparator\nfile s.txt\nfile a.png\nend\n"
+      forM_ ["a.png", "c.msr"] $ \path -> do
+        Text.writeFile "configuration.cfg" ("application comparator\nread_data list.txt\nwrite_data " <> path <> "\n")
+        (code, _, err) <- heard runHere
+        code `shouldBe` ExitFailure 3
+        err `shouldContainText` (path <> ": this is a file that was read")
+      traverse Bytes.readFile scenery >>= (`shouldBe` before)
     it "says where it looked for a scene that is not there" . inFolder $ do
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\n"
       (code, _, err) <- heard runHere
@@ -193,7 +242,14 @@ spec = do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application none\nread_data s.txt\n"
       heard runHere >>= \(code, out, _) -> (code, out) `shouldBe` (ExitSuccess, "")
-    it "draws for frame as for console, and ends when its page is closed" . inFolder $ do
+    it "draws for frame as for console, and ends, where no browser can be opened" . inFolder . withScreen False $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
+      (ended, out, err) <- heard (timeout 60000000 runHere)
+      (ended, out) `shouldBe` (Just ExitSuccess, "ball_000.png\n")
+      err `shouldContainText` "no browser can be opened here"
+      Text.readFile "configuration.cfg" >>= (`shouldContainText` "viewport_image_count\t1\n")
+    it "draws for frame as for console, and ends when its page is closed" . inFolder . withScreen True $ do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "configuration.cfg" "application frame\nread_data s.txt\nwrite_data out.txt\n"
       (code, rest) <- listeningTo runHere $ \out -> do
@@ -237,6 +293,34 @@ spec = do
       ["end", "fin", "view_frustum", "viewfrustum", "default_material", "scene", "model_msr", "console_comparator", "comparateur_console"]
         <> ["particle", "particule", "particles_system", "systeme_particules", "electric_charge", "charge_electrique"]
         <> ["texture_comparator", "texture_comparateur"]
+
+-- | Works with a screen, and with a browser that shows nothing; or without a screen.
+withScreen :: Bool -> IO a -> IO a
+withScreen there work = withSystemTempDirectory "screen" $ \folder -> do
+  let browser = folder </> "xdg-open"
+  writeFile browser "#!/bin/sh\n"
+  setFileMode browser 0o755
+  path <- fromMaybe "" <$> lookupEnv "PATH"
+  given ([("DISPLAY", if there then Just ":0" else Nothing), ("WAYLAND_DISPLAY", Nothing)] <> [("PATH", Just (folder <> ":" <> path)) | there]) work
+  where
+    given variables inner = foldr (\(name, value) -> bracket (lookupEnv name <* set name value) (set name) . const) inner variables
+    set name = maybe (unsetEnv name) (setEnv name)
+
+-- | The scene s.txt and the files that it reads.
+scenery :: [FilePath]
+scenery = ["s.txt", "a.png", "m.png", "c.msr", "d.agp", "models/b.obj", "models/b.mtl"]
+
+-- | Writes them.
+writeScenery :: IO ()
+writeScenery = do
+  createDirectory "models"
+  Text.writeFile "s.txt" (sphereScene <> "texture_material\nname t\ntexture_kd a.png\nend\n" <> Text.concat ["model\nfile " <> name <> "\nend\n" | name <- ["b.obj", "c.msr", "d.agp"]])
+  Text.writeFile "models/b.obj" "mtllib b.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+  Text.writeFile "models/b.mtl" "newmtl m\nmap_Kd m.png\n"
+  Text.writeFile "c.msr" "primitive\nsphere\nend\nend\n"
+  Text.writeFile "d.agp" "0 1 2\n0 0 0\n0 0 0\n"
+  -- Whether they are pictures does not matter: they are read.
+  mapM_ (`Text.writeFile` "none") ["a.png", "m.png"]
 
 -- | A red ball in 20 x 16 pixels. Its radius is on line 12.
 sphereScene :: Text

@@ -35,6 +35,8 @@ spec = do
       told (plane 0 (V3 0 0 1) >>= \p -> ADisk <$> disk p 1) (ray (V3 3 4 2) (V3 0 0 (-1))) `shouldBe` Just ([[-1, 2]], [(2, AwayFromCentre 5 1)])
     it "tells the hole of an annulus" $
       told (plane 0 (V3 0 0 1) >>= \p -> AnAnnulus <$> annulus p 6 7) (ray (V3 3 4 2) (V3 0 0 (-1))) `shouldBe` Just ([[-1, 2]], [(2, InTheHole 5 6)])
+    it "tells both radii of an annulus between them" $
+      told (plane 0 (V3 0 0 1) >>= \p -> AnAnnulus <$> annulus p 4 7) (ray (V3 3 4 2) (V3 0 0 (-1))) `shouldBe` Just ([[-1, 2]], [(2, OnTheRing 5 4 7)])
     it "tells A, B, C and both roots of a sphere" $
       told (ASphere <$> sphere (V3 5 0 0) 1) (ray 0 (V3 1 0 0)) `shouldBe` Just ([[1, -10, 24]], [(4, OtherConditions), (6, OtherConditions)])
     it "tells the discriminant of a sphere" $

@@ -54,11 +54,20 @@ spec = do
       `shouldHold` ["5 rays are cast through the pixel, whose colour is their mean.", "RAY 1 OF 5", "RAY 2 OF 5", "The other 3 rays of the pixel are told with --format json."]
   it "counts shapes where they are many" $
     explained English (dark <> concat (replicate 50 ["primitive", "material_name grey", "sphere", "position 0 0 -9", "end", "end"])) 4 8 `shouldHold` ["The others: 50 beside its line."]
+  it "names both radii of an annulus where the point lies between them, and the inner one in the hole" $ do
+    let ring inner = ["viewport", "width 9", "height 9", "end", "raytracer", "reflexion_algorithm no_light", "pixel_coordinate center", "end", "primitive", "material_name m", "annulus", "position 0.75 0 4", "ray 1", "inner_ray " <> inner, "end", "end", "material", "name m", "end"]
+    explained English (ring "0.5") 4 4 `shouldHold` ["kept: the point is 0.75 from the centre, at least r = 0.5 and at most R = 1.0"]
+    explained French (ring "0.5") 4 4 `shouldHold` ["gard\233e\xA0: le point est \224 0.75 du centre, au moins r = 0.5 et au plus R = 1.0"]
+    explained English (ring "0.8") 4 4 `shouldHold` ["outside: the point is 0.75 from the centre, less than r = 0.8"]
+  it "writes -0 as 0" $
+    explained English ["viewport", "width 9", "height 9", "end", "raytracer", "reflexion_algorithm no_light", "pixel_coordinate center", "end", "primitive", "material_name m", "cube", "position 0 0 4", "end", "end", "material", "name m", "end"] 4 4
+      `shouldHold` ["normal   [0.0, 0.0, -1.0]"]
   prop "every story has words, in lines of text that can be shown, in both languages" $ \(Pictured scene assets x y) ->
     let told l = maybe "" (storyText l "scene.txt") (tell assets [] noModels scene x y)
      in counterexample (Text.unpack (told English)) (Text.all (\c -> c == '\n' || c >= ' ') (told English <> told French))
           .&&. length (filter ("Ray 1" `Text.isPrefixOf`) (Text.lines (told English))) === length (filter ("Rayon 1" `Text.isPrefixOf`) (Text.lines (told French)))
           .&&. (Text.length (told English) > 200) === True
+          .&&. counterexample "-0.0" ("-0.0" `notElem` Text.split (`notElem` ("0123456789.-e" :: String)) (told English))
 
 -- | The story of a pixel of the scene of these lines.
 explained :: Language -> [Text] -> Int -> Int -> Text

@@ -23,6 +23,11 @@ spec = do
   describe "the view of an odd number of pixels" $
     for_ [1, 3, 5, 7, 9, 499, 501] $ \n ->
       it ("has its middle in the middle of a pixel: " ++ show n) $ at n n (fromIntegral n / 2) (fromIntegral n / 2) `shouldBe` Just (V3 1 0 0)
+  -- Across the picture c is 0.1 and u1 is not 0: 0.1 - tan 30 is rounded.
+  it "has its middle beside c by a rounding, where c + r0 is rounded" $
+    case (camera (CameraSettings (V3 0 0.1 0) (V3 1 0.1 0) (V3 0 0 1) 60 1 50), viewport 4 4 Text.empty) of
+      (Right c, Right v) -> let V3 x y z = pointAt (view c v) 2 2 in (x, y == 0.1, abs (y - 0.1) < 2 ^^ (-53 :: Int), z) `shouldBe` (1, False, True, 0)
+      _ -> expectationFailure "no camera"
   describe "the ray through a point" $ do
     it "starts there, on the near plane" $ fmap (\v -> origin (rayThrough v 1 3)) (through 4 4) `shouldBe` at 4 4 1 3
     it "goes on from the eye" $ fmap (\v -> Just (direction (rayThrough v 0 0))) (through 4 4) `shouldBe` Just (vector <$> unit (V3 1 0.5773502691896257 0.5773502691896257))
@@ -33,6 +38,7 @@ spec = do
       prop "rays come from the eye, and are unit" raysComeFromTheEye
       prop "rays start on the near clipping plane" raysStartOnTheNearPlane
       prop "the middle of the picture is straight ahead" centreIsAhead
+      prop "the middle of the picture is at c, to the bit where nothing is rounded" middleIsTheCentre
       prop "pixels are square" pixelsAreSquare
       prop "right is right and down is down" rightIsRightAndDownIsDown
       prop "the picture is as high as the camera's angle" anglesAreTheCameras

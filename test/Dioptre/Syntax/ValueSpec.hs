@@ -75,10 +75,11 @@ spec = do
     modifyMaxSuccess (const 1000) $ do
       prop "reads back as the same number" writtenReadsBack
       prop "has no digit too many" isWrittenShort
+      prop "has the nearest digits of as many" isWrittenNearest
       prop "has a point, and an exponent only where it is short of digits or has many" isWrittenPlainly
       it "looks as people expect" $
-        map showReal [0.1, 60, 1e-10, -2.5e7, 0, -0.0, 1e7, 9999999, 0.001, 0.00099, 1e100, 1 / 3]
-          `shouldBe` ["0.1", "60.0", "1.0e-10", "-2.5e7", "0.0", "-0.0", "1.0e7", "9999999.0", "0.001", "9.9e-4", "1.0e100", "0.3333333333333333"]
+        map showReal [0.1, 60, 1e-10, -2.5e7, 0, -0.0, 1e7, 9999999, 0.001, 0.00099, 1e100, 1 / 3, 1e23, -8e23, 5e-324]
+          `shouldBe` ["0.1", "60.0", "1.0e-10", "-2.5e7", "0.0", "-0.0", "1.0e7", "9999999.0", "0.001", "9.9e-4", "1.0e100", "0.3333333333333333", "1.0e23", "-8.0e23", "5.0e-324"]
 
   describe "tokens" $ do
     it "stand between blanks, commas and brackets" $

@@ -18,6 +18,7 @@ module Laws.Number
     integerIsExact,
     writtenReadsBack,
     isWrittenShort,
+    isWrittenNearest,
     isWrittenPlainly,
 
     -- * Numbers
@@ -31,7 +32,7 @@ where
 
 import Control.Monad (guard)
 import Data.Char (intToDigit)
-import Data.Maybe (isJust)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Ratio (denominator, numerator)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -123,17 +124,36 @@ integerIsExact t = case natural (snd (signOf t)) of
 writtenReadsBack :: Admitted -> Property
 writtenReadsBack (Admitted x) = fmap castDoubleToWord64 (real (showReal x)) === Right (castDoubleToWord64 x)
 
--- | No decimal of fewer digits is read as the same number: neither of the two around it. (One that lies in the middle to a neighbour, and
--- is this number only because ties go to the even one, does not count: 9.999999999999999e22 may be written so, and is also 1e23.)
+-- | No decimal of fewer digits is read as the same number: neither of the two around it.
 isWrittenShort :: Admitted -> Property
-isWrittenShort (Admitted x) = counterexample (show (count, coarse)) $ count <= 1 || not (any (\q -> isNearest q (abs x) && not (tied q)) coarse)
+isWrittenShort (Admitted x) =
+  cover 2 (any inTheMiddle (decimalsAround count (abs x))) "written as a middle" $
+    counterexample (show (count, coarse)) (count <= 1 || not (any (`isNearest` abs x) coarse))
   where
-    count = Text.length (significant (showReal x))
-    r = toRational (abs x)
-    tied q = 2 * q `elem` [r + toRational (neighbour n (abs x)) | n <- [-1, 1]]
-    -- The decimals with one digit less just below and just above.
-    power = head [k | k <- [-400 ..], 10 ^^ (k + count - 1) > r]
-    coarse = [fromInteger n * 10 ^^ power | let below = floor (r / 10 ^^ power) :: Integer, n <- [below, below + 1]]
+    inTheMiddle q = 2 * q `elem` [toRational (abs x) + toRational (neighbour n (abs x)) | n <- [-1, 1]]
+    count = digitCount (showReal x)
+    coarse = decimalsAround (count - 1) (abs x)
+
+-- | No decimal of as many digits is nearer to the number.
+isWrittenNearest :: Admitted -> Property
+isWrittenNearest (Admitted x) = x /= 0 ==> counterexample (show others) (all (\q -> away written <= away q) others)
+  where
+    others = decimalsAround (digitCount (showReal x)) (abs x)
+    written = fromMaybe 0 (exactly (Text.dropWhile (== '-') (showReal x)))
+    away q = abs (q - toRational (abs x))
+
+-- | The decimals of so many digits just below a number and just above it, or in its place and just above.
+decimalsAround :: Int -> Double -> [Rational]
+decimalsAround _ 0 = []
+decimalsAround count x = [fromInteger n * 10 ^^ power | let below = floor (r / 10 ^^ power) :: Integer, n <- [below, below + 1]]
+  where
+    r = toRational x
+    power = head [k | k <- [-400 ..], 10 ^^ (k + count) > r]
+
+-- | How many digits a written number has, zeros at its ends left out.
+digitCount :: Text -> Int
+digitCount = Text.length . significant
+  where
     significant t = Text.dropWhileEnd (== '0') (Text.dropWhile (== '0') (Text.filter (`elem` ['0' .. '9']) (Text.takeWhile (/= 'e') t)))
 
 -- | A real number is written with a point; without an exponent from 0.001 up to ten million, and with one outside.
@@ -153,14 +173,20 @@ instance Arbitrary Admitted where
   arbitrary = Admitted <$> admitted
   shrink (Admitted x) = [Admitted y | y <- takeWhile (/= x) [0, 1, fromInteger (truncate x)], abs y <= 1e100]
 
--- | Of any size: ordinary, small integers, short decimals, subnormal, and the ends of the range; of either sign.
+-- | Of any size: ordinary, small integers, short decimals, subnormal, beside a middle of few digits, and the ends of the range; of either sign.
 admitted :: Gen Double
-admitted = (*) <$> elements [1, -1] <*> oneof [ordinary, integral, short, anySize, special]
+admitted = (*) <$> elements [1, -1] <*> oneof [ordinary, integral, short, anySize, middling, special]
   where
     ordinary = choose (0, 10)
     integral = fromIntegral <$> chooseInt (0, 1000)
     short = (\n k -> fromIntegral n / 10 ^^ k) <$> chooseInt (0, 99999) <*> chooseInt (0, 12)
     anySize = castWord64ToDouble <$> choose (0, castDoubleToWord64 1e100)
+    -- The even one beside a middle of few digits, M 2^k with M = 5^j t odd and of 54 bits.
+    middling = do
+      j <- chooseInt (1, 23)
+      t <- choose (2 ^ (53 :: Int) `div` 5 ^ j, 2 ^ (54 :: Int) `div` 5 ^ j) :: Gen Integer
+      k <- chooseInt (0, 3 * j)
+      pure (fromRational (fromInteger ((2 * (t `div` 2) + 1) * 10 ^ j * 2 ^ k)))
     special = do
       x <- elements [1e100, 1e7, 1e-3, 2 ^^ (-1022 :: Int), 2 ^ (53 :: Int), 1e22, 1e23, 0.1, 1e-10]
       k <- chooseInt (-2, if x == 1e100 then 0 else 2)

@@ -297,6 +297,7 @@ verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMa
         | otherwise -> minimum [t1, t2, 1 - t1 - t2] <= slack (abs t1 + abs t2)
       AtHeight height len -> isOnShape == (0 <= height && height <= len)
       InTheHole away radius -> not isOnShape && away < radius
+      OnTheRing away hole radius -> isOnShape && hole <= away && away <= radius
       SideOfDisk -> True
       OtherConditions -> True
     verdictHolds verdict roots = case verdict of

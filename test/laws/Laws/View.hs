@@ -7,6 +7,7 @@ module Laws.View
     raysComeFromTheEye,
     raysStartOnTheNearPlane,
     centreIsAhead,
+    middleIsTheCentre,
     pixelsAreSquare,
     rightIsRightAndDownIsDown,
     anglesAreTheCameras,
@@ -105,6 +106,27 @@ centreIsAhead seen@(Seen c v _) = counterexample (show p) $ and [abs e <= slack 
     s = cameraSettings c
     p = pointAt (seenView seen) (fromIntegral (viewportWidth v) / 2) (fromIntegral (viewportHeight v) / 2)
     ahead = along (exact (settingPosition s)) (exact (vector (cameraFront c))) (toRational (settingNear s))
+
+-- | The middle of the picture is c: to the bit in each coordinate in which at most one of c, u1 and u2 is not zero; in the others within 2^-49 of the greatest of c, a = w\/2 u1 and b = h\/2 u2.
+--
+-- With e = 2^-53, r0 is wrong by e |a + b| at most, c + r0 by e |c + r0|, the sum with a by e |c - b|, and the one with b by e |c|: together 8 e of the greatest, and the second order.
+middleIsTheCentre :: Seen -> Property
+middleIsTheCentre seen@(Seen cam port _) = counterexample (show (p, c, a, b)) (and (sameWhere <$> p <*> c <*> a <*> b))
+  where
+    s = cameraSettings cam
+    front = vector (cameraFront cam)
+    w = fromIntegral (viewportWidth port)
+    h = fromIntegral (viewportHeight port)
+    p = pointAt (seenView seen) (w / 2) (h / 2)
+    c = settingPosition s + settingNear s *^ front
+    height = 2 * settingNear s * tan (settingAngle s / 180 * pi / 2)
+    right = cross front (vector (cameraUp cam))
+    a = (height * w / h / 2) *^ toUnit right
+    b = (height / 2) *^ toUnit (cross front (toUnit right))
+    toUnit v = maybe v vector (unit v)
+    sameWhere p' c' a' b'
+      | length (filter (/= 0) [c', a', b']) <= 1 = p' == c'
+      | otherwise = abs (toRational p' - toRational c') <= maximum (map (abs . toRational) [c', a', b']) / 2 ^ (49 :: Int)
 
 -- | Pixels are square: a step of a pixel to the right is as long as one down, 2 near tan (angle \/ 2) \/ height, and
 -- at a right angle to it.
