@@ -17,6 +17,7 @@
 module Dioptre.Load
   ( -- * Loading
     Loaded (..),
+    loadedFiles,
     loadScene,
     loadSource,
     loadPicture,
@@ -35,6 +36,7 @@ import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
@@ -45,7 +47,7 @@ import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Load.Amount (ModelRead (..))
 import Dioptre.Load.Decoding (attempted)
 import Dioptre.Load.Models (loadModels, sceneSite)
-import Dioptre.Load.Shelf (Found, Shelf (..), emptyShelf, loadPictures)
+import Dioptre.Load.Shelf (Found (..), Shelf (..), emptyShelf, loadPictures)
 import Dioptre.Model.Library (Library (..))
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Png (decode)
@@ -72,13 +74,15 @@ data Loaded = Loaded
     loadedLibrary :: Library Texture,
     -- | The models' files, as their reading ended.
     loadedModels :: [ModelRead],
-    -- | All files that were found for it, as one calls them from the working directory: models, their materials, and pictures; not the scene's own.
-    loadedFiles :: [FilePath],
     -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each in its order.
     loadedDiagnostics :: [(Source, [Diagnostic])],
     -- | What was found for each name of a file, which the scene or one of its models or their materials has, and which was looked for from that folder on.
     loadedSought :: Map (FilePath, Text) (Either FileTrouble Found)
   }
+
+-- | All files that were found for a scene, each once, as one calls them from the working directory: models, their materials, and pictures; not the scene's own.
+loadedFiles :: Loaded -> [FilePath]
+loadedFiles loaded = map foundPath (Map.elems (Map.fromList [(foundFile file, file) | Right file <- Map.elems (loadedSought loaded)]))
 
 -- | The scene in the file at a path, with its pictures and models; or why there is none, in words.
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)

@@ -10,6 +10,7 @@
 -- >  browser ---opens---> /tmp/dioptre-Xy12ab/view.html ---leads to---> http://127.0.0.1:8000/#token=...
 module Dioptre.Command.Browser
   ( withBrowser,
+    opener,
   )
 where
 

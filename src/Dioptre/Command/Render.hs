@@ -25,17 +25,18 @@ import Dioptre.Files.Identity (sameFile)
 import Dioptre.Files.Number (PictureNumber, writeNumbered)
 import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault)
-import Dioptre.Load (Loaded (..), loadScene)
+import Dioptre.Load (Loaded (..), loadedFiles, loadScene)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
 import Dioptre.Render.Row (Plan, plan, planExtent, planWithin, window)
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (Scene, sceneViewport, withSampling, withViewport)
 import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
+import Dioptre.Scene.Configuration (configurationFile)
 import Dioptre.Source.Diagnostic (Fate (LeftOut), Problem (ImpossibleObject), needsMending)
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Message (message)
-import System.Directory (canonicalizePath, doesDirectoryExist)
+import System.Directory (doesDirectoryExist)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory)
 
@@ -141,7 +142,13 @@ outputObstacle options files = case optionOutput options of
     replaced <- sameFile path (scene : configurationFile : files)
     let folder = takeDirectory path
     there <- doesDirectoryExist folder
-    pure $
-      if same
-        then Just (2, \l -> inLanguage l "the picture would replace the scene: " "l'image remplacerait la scène\xA0: " <> Text.pack path)
-        else if there then Nothing else Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
+    pure $ case replaced of
+      Just file -> Just (2, \l -> inLanguage l "the picture would replace " "l'image remplacerait " <> what l file <> inLanguage l ": " "\xA0: " <> Text.pack file)
+      Nothing | there -> Nothing
+      Nothing -> Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
+  where
+    scene = optionScene options
+    what l file
+      | file == scene = inLanguage l "the scene" "la scène"
+      | file == configurationFile = inLanguage l "the configuration" "la configuration"
+      | otherwise = inLanguage l "a file that the scene reads" "un fichier que la scène lit"

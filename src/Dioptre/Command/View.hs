@@ -13,7 +13,6 @@ module Dioptre.Command.View
     viewScene,
     builtIn,
     viewing,
-    opener,
     awaitPicture,
     awaitDeparture,
   )

@@ -43,7 +43,6 @@ import Dioptre.Geometry.Tube (across, circle, tubeLineParameters)
 import Dioptre.Math.Order (infinity)
 import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, unit, vector, (*^))
-import Dioptre.Syntax.Value (showReal)
 import Linear.V3 (V3 (..))
 
 -- | A parameter that fulfils a condition, the condition's place among the shape's from 0, and what is measured at the point there.
@@ -110,6 +109,7 @@ onTriangle t = flat p0 (triangleNormal t) (uncurry Barycentric . barycentric p0 
 ringMeasure :: Point -> Double -> Double -> Point -> Measure
 ringMeasure centre inner outer v
   | away < inner = InTheHole away inner
+  | away <= outer = OnTheRing away inner outer
   | otherwise = AwayFromCentre away outer
   where
     away = distance centre v
@@ -122,8 +122,8 @@ flat p n measure r =
       [ Coefficient "A" "<n, d>" (dot (vector n) (direction r)),
         Coefficient "B" "<n, o - P>" (dot (vector n) (origin r - p))
       ]
-      [ "n" `is` shown (vector n),
-        "P" `is` shown p
+      [ "n" `is` vec (vector n),
+        "P" `is` vec p
       ]
       Nothing
       0,
@@ -141,8 +141,8 @@ onSphere c radius r = (quadratic TheSphere ("<d, d>", "2 <w, d>", "<w, w> - R^2"
     equation = Quadratic (directionQuadrance r) (2 * dot w d) (dot w w - radius * radius)
     letters =
       [ "w = o - C",
-        "C" `is` shown c,
-        "R" `is` showReal radius
+        "C" `is` vec c,
+        "R" `is` real radius
       ]
 
 inCube :: Point -> Double -> Ray -> [Solved]
@@ -166,7 +166,7 @@ cylinderConditions p1 s h radius r =
 
 -- | The infinite tube, seen from P1.
 tubeFromStart :: Point -> Unit -> Double -> Ray -> Condition
-tubeFromStart p1 s radius r = tube "w = o - P1" ("P1" `is` shown p1) s radius (circle radius (across s (origin r - p1)) (across s (direction r)))
+tubeFromStart p1 s radius r = tube "w = o - P1" ("P1" `is` vec p1) s radius (circle radius (across s (origin r - p1)) (across s (direction r)))
 
 -- | The infinite tube, with what w is and where it is measured from.
 tube :: Text -> Text -> Unit -> Double -> Quadratic -> Condition
@@ -177,8 +177,8 @@ tube w centre s radius equation = quadratic TheTube ("<d', d'>", "2 <w', d'>", "
         "w' = w - <w, S> S",
         "d' = d - <d, S> S",
         centre,
-        "S" `is` shown (vector s),
-        "R" `is` showReal radius
+        "S" `is` vec (vector s),
+        "R" `is` real radius
       ]
 
 coneConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
@@ -193,9 +193,9 @@ coneConditions p1 s h radius r = Told (Just (t0, 1)) [(side, unmeasured (rootsOf
         "b = <d, S>",
         "w' = w - a S",
         "d' = d - b S",
-        "k = R / H" `is` showReal (radius / h),
-        "S" `is` shown (vector s),
-        "P2" `is` shown (p1 + h *^ vector s)
+        "k = R / H" `is` real (radius / h),
+        "S" `is` vec (vector s),
+        "P2" `is` vec (p1 + h *^ vector s)
       ]
 
 lensConditions :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Told
@@ -204,7 +204,7 @@ lensConditions p1 s l radius c1 c2 r = Told (Just (t0, 1)) [(side, unmeasured (r
     d = direction r
     LensLine t0 w start end = lensLine p1 s l radius c1 c2 r
     bar = circle radius (across s w) (across s d)
-    side = tube "w = o + t0 d - M" ("M" `is` shown (p1 + (l / 2) *^ vector s)) s radius bar
+    side = tube "w = o + t0 d - M" ("M" `is` vec (p1 + (l / 2) *^ vector s)) s radius bar
     face patch f = (overDisk patch (faceAxis f) radius (faceCentre f) (facePoint f) equation (faceShift f), unmeasured (rootsOf equation)) `countedFrom` faceShift f `countedFrom` t0
       where
         equation = faceEquation radius f d
@@ -224,10 +224,10 @@ overDisk :: Patch -> Vector -> Double -> Double -> Vector -> Quadratic -> Double
 overDisk patch n radius m p equation = quadratic patch ("<d, d>", "2 (<p, d> + m <d, n>)", "<p, p> + 2 m <p, n> - R^2") equation letters
   where
     letters =
-      [ "p" `is` shown p,
-        "m" `is` showReal m,
-        "n" `is` shown n,
-        "R" `is` showReal radius
+      [ "p" `is` vec p,
+        "m" `is` real m,
+        "n" `is` vec n,
+        "R" `is` real radius
       ]
 
 torusConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
@@ -252,11 +252,11 @@ torusConditions p n major minor r
           "N = <n, q>",
           "M = <n, u>",
           "G = <q, q> + R^2 - r^2",
-          "L" `is` showReal l,
-          "R" `is` showReal (major / l),
-          "r" `is` showReal (minor / l),
-          "n" `is` shown (vector n),
-          "P" `is` shown p
+          "L" `is` real l,
+          "R" `is` real (major / l),
+          "r" `is` real (minor / l),
+          "n" `is` vec (vector n),
+          "P" `is` vec p
         ]
         Nothing
         0
@@ -294,5 +294,3 @@ is :: Text -> Text -> Text
 is letter value = letter <> " = " <> value
 
 -- | A vector, as scenes have it.
-shown :: Vector -> Text
-shown (V3 x y z) = "[" <> Text.intercalate ", " (map showReal [x, y, z]) <> "]"

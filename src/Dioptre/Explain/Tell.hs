@@ -41,7 +41,7 @@ import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
 import Dioptre.Render.Surroundings (refractiveIndexAt)
 import Dioptre.Render.Texture (Assets, Texture)
-import Dioptre.Render.Transmittance (Transmittance (..), farthest, transmittance)
+import Dioptre.Render.Transmittance (Transmittance (..), farthest, past)
 import Dioptre.Render.View (rayThrough, view, viewFar, viewWidth)
 import Dioptre.Render.World (worldOwn, worldSize)
 import Dioptre.Scene (Scene, sceneCamera, sceneRaytracer, sceneViewport)
@@ -276,7 +276,7 @@ arrivalOf :: Setting -> Point -> Approach -> Arrival
 arrivalOf setting p way
   | approachCosine way <= 0 = FacesAway way
   | obstaclesOpaque between = InShadow way (blocker setting shadow distance')
-  | Transmittance r g b _ <- transmittance (stageWorld st) shadow distance' = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
+  | Transmittance r g b _ <- past between = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
   where
     shadow = ray p (negate (approachDirection way))
     between = obstacles (stageWorld (stageOf setting)) shadow distance'

@@ -153,8 +153,8 @@ rayText :: Language -> Story -> Text -> RayStory -> [Text]
 rayText l story name r =
   [say "Ray " "Rayon " <> name <> ", " <> causeText l (rayCause r) <> "        r(t) = o + t d"]
     <> rayIn "  " (rayItself r)
-    <> [say "  for t from " "  pour t de " <> nearest <> say " to " " à " <> showReal (storyFar story) <> reach | isFirst]
-    <> [say "  weight " "  poids " <> triple (rayWeight r) <> say "; refractive index around it " "\xA0; indice de réfraction autour de lui " <> showReal (rayIndex r) | not isFirst]
+    <> [say "  for t from " "  pour t de " <> nearest <> say " to " " à " <> real (storyFar story) <> reach | isFirst]
+    <> [say "  weight " "  poids " <> triple (rayWeight r) <> say "; refractive index around it " "\xA0; indice de réfraction autour de lui " <> real (rayIndex r) | not isFirst]
     <> [""]
     <> trialsText l isFirst r
     <> maybe [say "It meets nothing: black." "Il ne rencontre rien\xA0: noir.", ""] (hitText l r name) (rayHit r)

@@ -134,10 +134,6 @@ seek folder name = search "." folder name >>= either (pure . Left . trouble) (\p
       Within f -> f
       Below f -> f </> "..."
 
--- | The files that were found, each once.
-filesFound :: Shelf -> [Found]
-filesFound shelf = Map.elems (Map.fromList [(foundFile file, file) | Right file <- Map.elems (shelfFound shelf)])
-
 -- | The pictures that a file in a folder names; and what is wrong with each place that names one.
 loadPictures :: Language -> FilePath -> [(Text, FileUse, Span)] -> Loading (Map Text Picture, [Diagnostic])
 loadPictures l folder wanted = do

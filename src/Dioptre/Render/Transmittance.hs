@@ -17,6 +17,7 @@
 module Dioptre.Render.Transmittance
   ( Transmittance (..),
     transmittance,
+    past,
     farthest,
   )
 where
@@ -35,13 +36,17 @@ data Transmittance = Transmittance {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 -- | What comes past all that a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
 transmittance :: World -> Ray -> Double -> Transmittance
-transmittance w !r !bound = case obstacles w r bound of
-  Obstacles opaque transparent tests
-    | opaque -> Transmittance 0 0 0 tests
-    | null transparent -> Transmittance 1 1 1 tests
-    | otherwise -> foldl' tinted (Transmittance 1 1 1 tests) (map snd (sortOn fst transparent))
+transmittance w !r !bound = past (obstacles w r bound)
+
+-- | What comes past these obstacles.
+past :: Obstacles -> Transmittance
+past (Obstacles opaque transparent tests)
+  | opaque = Transmittance 0 0 0 tests
+  | null transparent = Transmittance 1 1 1 tests
+  | otherwise = foldl' tinted (Transmittance 1 1 1 tests) (map snd (sortOn fst transparent))
   where
-    tinted (Transmittance r' g' b' tests) f = let Colour x y z _ = finishTint f in Transmittance (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) tests
+    tinted (Transmittance r' g' b' n) f = let Colour x y z _ = finishTint f in Transmittance (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) n
+{-# INLINE past #-}
 
 -- | The bound of a shadow ray to a light that is infinitely far. A scene has no number beyond 1e100, and no parameter comes near 1e300. (Infinity has no literal, and 1 \/ 0 would be a value to be looked up; see also Note [Literals] of
 -- "Dioptre.Math.Roots".)

@@ -23,11 +23,12 @@ module Dioptre.Source.Phrase
   )
 where
 
-import Data.Char (isControl)
+import Data.Char (intToDigit, isControl)
 import Data.Foldable (toList)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Dioptre.Source.Digits (shortestDigits)
 import Dioptre.Source.Language (Language, inLanguage)
 import Numeric (showFFloat)
 
@@ -59,16 +60,20 @@ counted l n (one, many) (un, plusieurs) =
 -- | The shortest decimal that reads back as the same number, in plain digits between 0.001 and ten million and with an
 -- exponent outside; always with a point, so that it is seen to be real.
 --
--- Law: "Dioptre.Syntax.Value" reads @showReal x@ as x, for every x of magnitude at most 1e100.
+-- Laws: "Dioptre.Syntax.Value" reads @showReal x@ as x, for every x of magnitude at most 1e100; no decimal of fewer
+-- digits does that.
 --
--- >>> map showReal [0.1, 60, 1e-10, -2.5e7]
--- ["0.1","60.0","1.0e-10","-2.5e7"]
+-- >>> map showReal [0.1, 60, 1e-10, -2.5e7, 1e23]
+-- ["0.1","60.0","1.0e-10","-2.5e7","1.0e23"]
 showReal :: Double -> Text
 showReal x
   | x == 0 || (size >= 1e-3 && size < 1e7) = Text.pack (showFFloat Nothing x "")
-  | otherwise = Text.pack (show x)
+  | isNaN x || isInfinite x = Text.pack (show x)
+  | otherwise = Text.pack ((if x < 0 then "-" else "") <> first <> "." <> (if null others then "0" else others) <> "e" <> show (e - 1))
   where
     size = abs x
+    (ds, e) = shortestDigits size
+    (first, others) = splitAt 1 (map intToDigit ds)
 
 -- | The same as people write it, a whole number without a point.
 --

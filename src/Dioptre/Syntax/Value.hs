@@ -29,7 +29,7 @@ module Dioptre.Syntax.Value
   )
 where
 
-import Data.Char (digitToInt, intToDigit, isDigit)
+import Data.Char (digitToInt, isDigit)
 import Data.Ratio ((%))
 import Data.Text (Text)
 import qualified Data.Text as Text

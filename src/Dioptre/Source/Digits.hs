@@ -1,5 +1,5 @@
 -- |
--- Module      : Dioptre.Syntax.Digits
+-- Module      : Dioptre.Source.Digits
 -- Description : The fewest digits that read back
 --
 -- Between the middles to its two neighbours every decimal reads back as a number, and in such a middle if its last bit is 0, for readers round ties to the even one:
@@ -9,7 +9,7 @@
 --
 -- Sources: G. L. Steele and J. L. White, "How to print floating-point numbers accurately", 1990; R. G. Burger and R. K. Dybvig, "Printing floating-point numbers quickly and
 -- accurately", 1996, whose section 3.1 takes the middles in.
-module Dioptre.Syntax.Digits
+module Dioptre.Source.Digits
   ( shortestDigits,
   )
 where
