@@ -34,7 +34,7 @@ newtype Special = Special Double
   deriving (Show)
 
 instance Arbitrary Special where
-  arbitrary = Special <$> oneof [elements corners, (`nudged` 1) <$> chooseInt (-2, 2), chooseInt (-1074, 1023) >>= ofSize, number Few]
+  arbitrary = Special <$> oneof [elements [0 / 0, 0, -0.0], elements corners, (`nudged` 1) <$> chooseInt (-2, 2), chooseInt (-1074, 1023) >>= ofSize, number Few]
     where
       corners = [0 / 0, infinity, negate infinity, 0, -0.0, 1, -1, 5e-324, -5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, -1.7976931348623157e308]
 
