@@ -248,8 +248,8 @@ offers = do
 
 -- | Offers a shape's number and the parameter at which it is met: it is taken if it precedes what was.
 offer :: Int -> Double -> Closest -> Closest
-offer number t c
-  | precedes t number (closestParameter c) (closestNumber c) = c {closestParameter = t, closestNumber = number}
+offer i t c
+  | precedes t i (closestParameter c) (closestNumber c) = c {closestParameter = t, closestNumber = i}
   | otherwise = c
 
 -- | The parameter and the shape's number, if anything is met.
