@@ -111,7 +111,7 @@ parts p1 s l radius c1 c2 r = Parts t0 inBar (c1 > 0) (dome radius start d inBar
 -- measured from the middle; and the line as the faces at P1 and at P2 see it.
 data LensLine = LensLine Double Vector Face Face
 
--- | A face, and the line w + t d as it sees it.
+-- | A face, and the line w + t d as it sees it. (What uses it for the rule is in line, so that none is made.)
 data Face = Face
   { -- | The axis q, to the side on which the sphere bulges.
     faceAxis :: Vector,
@@ -136,6 +136,7 @@ lensLine p1 s l radius c1 c2 r = LensLine t0 w (face c1 (opposite s) 1) (face c2
       where
         p = w + (side :: Double) *^ halfAxis
         (t1, near) = nextTo p d
+    {-# INLINE face #-}
 {-# INLINE lensLine #-}
 
 -- | The equation of a face's sphere, for a lens of that radius and the line's direction, counted from t1 on.
@@ -152,6 +153,7 @@ dome radius face d (Interval enter leave) = case rootsOf (faceEquation radius fa
   where
     below t = low <= t && t <= high
     !(Interval low high) = under (negate (faceCentre face)) (dot (faceStart face) (faceAxis face)) (dot d (faceAxis face))
+{-# INLINE dome #-}
 
 -- | Where the height h0 + t dh is at most that high.
 under :: Double -> Double -> Double -> Interval

@@ -229,7 +229,7 @@ parametersOfShortAxesAreRoots =
                 conjoin [counterexample (show (s, ends s)) (all (`elem` [t | Candidate t _ _ <- snd (equationOf [] s r)]) (ends s)) | s <- shapes]
   where
     -- Across the axis, and so near to it that the ray starts within most radii.
-    start end = (\v -> (1 / 16) *^ (v * (fmap (\x -> if x == 0 then 1 else 0) end))) <$> point Few
+    start end = (\v -> (1 / 16) *^ (v * fmap (\x -> if x == 0 then 1 else 0) end)) <$> point Few
 
 -- | Every root that is told solves the condition that it is told with, to rounding.
 --
