@@ -8,28 +8,48 @@
 -- 'draw' = 'rendered' . 'plan' mempty 'noModels' . fst . 'checkScene' . 'parse'
 -- @
 --
--- Each name is a stage, and each stage is a folder; reading them in this order is a course in ray tracing.
+-- Each name is the door of a folder. The folders are stages, and here they stand in the order in which they import each other, always an
+-- earlier one; reading them in this order is a course in ray tracing.
 --
 -- [Source] Bytes become text with lines and columns ("Dioptre.Source.Text"). What can be wrong with a text is data
 -- ("Dioptre.Source.Diagnostic"); its words stand apart, in two languages ("Dioptre.Source.Message").
 --
 -- [Syntax] Text becomes a tree of objects and properties ("Dioptre.Syntax.Grammar", "Dioptre.Syntax.Value").
 --
+-- [Math] Vectors, transformations, and the roots of polynomials up to degree four ("Dioptre.Math.Roots").
+--
+-- [Geometry] Rays and shapes: where a ray meets a sphere is "Dioptre.Math.Roots" at work in "Dioptre.Geometry.Sphere". Many shapes
+-- stand in boxes ("Dioptre.Geometry.Hierarchy").
+--
+-- [Light] Colours, materials, lights, and what a surface sends back ("Dioptre.Light.Illumination").
+--
+-- [Optics] Reflection and refraction.
+--
 -- [Scene] The tree becomes a checked scene ("Dioptre.Scene.Check"), by a description of each object
 -- ("Dioptre.Scene.Schema") that also writes it back.
 --
--- [Math, Geometry, Light] Vectors, roots, rays and shapes: where a ray meets a sphere is
--- "Dioptre.Math.Roots" at work in "Dioptre.Geometry.Sphere".
---
--- [Model] Models come from files of four formats to one thing ("Dioptre.Model.Content"), each once ("Dioptre.Model.Library"). A scene of text alone has 'noModels', and none of the pictures for
--- textures, which are the @mempty@.
---
--- [Render] The scene becomes a plan, and the plan rows of pixels: the camera ("Dioptre.Render.View"), the closest hit
--- among all shapes and their index ("Dioptre.Render.World", "Dioptre.Geometry.Hierarchy"), one row ("Dioptre.Render.Row"), all of them in parallel ("Dioptre.Render.Parallel").
+-- [Model] Models come from files of four formats to one thing ("Dioptre.Model.Content"), each once ("Dioptre.Model.Library"). A scene of
+-- text alone has 'noModels', and none of the pictures for textures, which are the @mempty@.
 --
 -- [Picture] Colours become bytes ("Dioptre.Picture.Byte"), and bytes a file ("Dioptre.Picture.Png").
 --
--- Everything so far is pure. What touches the world stands at the end: "Dioptre.Files.Whole" and its neighbours, and the commands.
+-- [Render] The scene becomes a plan, and the plan rows of pixels: the camera ("Dioptre.Render.View"), what a ray meets first
+-- ("Dioptre.Render.Closest") and what it sees there ("Dioptre.Render.Radiance"), one row ("Dioptre.Render.Row"), all of them in
+-- parallel ("Dioptre.Render.Parallel").
+--
+-- [Explain] The story of one pixel, as data ("Dioptre.Explain.Story").
+--
+-- Everything so far is pure, but for the workers. What touches the world stands at the end:
+--
+-- [Files] Whole files or none ("Dioptre.Files.Whole"), and the numbers of pictures.
+--
+-- [Load] A scene with the models and pictures that it names.
+--
+-- [View] The live viewer, a server for one page.
+--
+-- [Conformance] The rules as questions and answers: the oracle, and the suite for ports.
+--
+-- [Command] What the program does when it is asked by name.
 --
 -- As a library, in a program, which reads a scene, tells what is wrong with it, and writes its picture:
 --

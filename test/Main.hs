@@ -50,6 +50,7 @@ import qualified Dioptre.Geometry.TorusSpec
 import qualified Dioptre.Geometry.TriangleSpec
 import qualified Dioptre.Geometry.TubeSpec
 import qualified Dioptre.Geometry.UvSpec
+import qualified Dioptre.Light.AttenuationSpec
 import qualified Dioptre.Light.ColourSpec
 import qualified Dioptre.Light.FinishSpec
 import qualified Dioptre.Light.IlluminationSpec
@@ -176,6 +177,7 @@ specs = do
   describe "Dioptre.Geometry.Triangle" Dioptre.Geometry.TriangleSpec.spec
   describe "Dioptre.Geometry.Tube" Dioptre.Geometry.TubeSpec.spec
   describe "Dioptre.Geometry.Uv" Dioptre.Geometry.UvSpec.spec
+  describe "Dioptre.Light.Attenuation" Dioptre.Light.AttenuationSpec.spec
   describe "Dioptre.Light.Colour" Dioptre.Light.ColourSpec.spec
   describe "Dioptre.Light.Finish" Dioptre.Light.FinishSpec.spec
   describe "Dioptre.Light.Illumination" Dioptre.Light.IlluminationSpec.spec

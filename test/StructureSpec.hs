@@ -6,11 +6,11 @@ where
 
 import Control.Monad (forM, forM_)
 import Data.Char (isAlphaNum, isDigit)
-import Data.List (elemIndex, isPrefixOf, isSuffixOf, sort, stripPrefix)
-import Data.Maybe (isNothing, mapMaybe, maybeToList)
+import Data.List (elemIndex, inits, intercalate, isPrefixOf, isSuffixOf, sort, stripPrefix, tails)
+import Data.Maybe (isNothing, listToMaybe, mapMaybe, maybeToList)
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.FilePath (dropExtension, splitDirectories, (</>))
-import Test.Hspec (Spec, it, shouldBe, shouldSatisfy)
+import Test.Hspec (Spec, it, shouldBe, shouldReturn, shouldSatisfy)
 import Text.Read (readMaybe)
 
 spec :: Spec
@@ -23,6 +23,12 @@ spec = do
   it "puts every module into a stage" $ do
     modules <- sources "src"
     [m | path <- modules, let { m = moduleName "src" path }, isNothing (stageOf m)] `shouldBe` []
+  it "tells of the stages everywhere in their order" $ do
+    let stagesIn begins path = mapMaybe begins . lines <$> readFile path
+        between before after text = stripPrefix before text >>= \rest -> listToMaybe [name | (name, end) <- zip (inits rest) (tails rest), after `isPrefixOf` end]
+    forM_ ["README.md", "README.fr.md"] $ \path -> stagesIn (between "| [" "](src/Dioptre/") path `shouldReturn` stages
+    stagesIn (between "-- [" "] ") "src/Dioptre.hs" `shouldReturn` stages
+    stagesIn (between "- The folders of src/Dioptre are stages: " ". A module") "CONTRIBUTING.md" `shouldReturn` [intercalate ", " stages]
   it "runs every spec" $ do
     specs <- filter ("Spec" `isSuffixOf`) . map (moduleName "test") <$> sources "test"
     listed <- filter ("Spec" `isSuffixOf`) <$> importsOf "test/Main.hs"

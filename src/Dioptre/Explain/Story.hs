@@ -398,7 +398,7 @@ data Sequel
 data Obstacle
   = -- | It would be deeper than @recursive_level@.
     DepthReached
-  | -- | Too many rays were followed already ('Dioptre.Render.Shade.mostRays').
+  | -- | Too many rays were followed already ('Dioptre.Render.Radiance.mostRays').
     TooManyRays
   | -- | All light is reflected.
     TotalReflection

@@ -3,7 +3,7 @@
 -- Description : From a scene and a pixel to its story
 --
 -- The renderer's own functions, asked one by one: the closest hit, the normal, the light of each source alone, what stands in the way, the reflected and the
--- refracted direction. What "Dioptre.Render.Shade" adds up in a loop is kept here as a tree, whose rays are followed in the same order and whose parts are added up in
+-- refracted direction. What "Dioptre.Render.Radiance" adds up in a loop is kept here as a tree, whose rays are followed in the same order and whose parts are added up in
 -- that order, so that the colour told is the colour rendered, bit for bit (a law).
 module Dioptre.Explain.Tell
   ( tell,
@@ -24,6 +24,7 @@ import Dioptre.Explain.Story
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Prepared (isClosed, nearest, normalAt, parameters, shadingNormal, textureAt)
 import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
+import Dioptre.Light.Attenuation (attenuated)
 import Dioptre.Light.Colour (Colour (..), black, capped, plus, rgb, scaled)
 import Dioptre.Light.Finish (Colours (..), Finish (..), hasPictures, isTransparent)
 import Dioptre.Math.Tolerance (smallestParameter)
@@ -34,17 +35,19 @@ import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Picture.Byte (normalized, pixelOf)
 import Dioptre.Render.Closest (closest)
 import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
+import Dioptre.Render.Radiance (mostRays)
 import Dioptre.Render.Sampling (offset)
-import Dioptre.Render.Shade (Lit (..), Passage (..), coloursAt, farthest, lighting, mediumAt, mostRays, passage)
+import Dioptre.Render.Shade (Lit (..), coloursAt, lighting)
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
+import Dioptre.Render.Surroundings (refractiveIndexAt)
 import Dioptre.Render.Texture (Assets, Texture)
+import Dioptre.Render.Transmittance (Transmittance (..), farthest, transmittance)
 import Dioptre.Render.View (rayThrough, view, viewFar, viewWidth)
 import Dioptre.Render.World (worldOwn, worldSize)
 import Dioptre.Scene (Scene (..))
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Scene.Raytracer (Raytracer (..))
-import Linear.V3 (V3 (..))
 
 -- | What all rays of a story have in common.
 data Setting = Setting
@@ -112,7 +115,7 @@ sampleOf setting at r =
       sampleCut = cut
     }
   where
-    (Count followed cut, story) = follow setting FromCamera 1 (1, 1, 1) (mediumAt (stageWorld (stageOf setting)) Nothing (origin r)) r (Count 0 False)
+    (Count followed cut, story) = follow setting FromCamera 1 (1, 1, 1) (refractiveIndexAt (stageWorld (stageOf setting)) Nothing (origin r)) r (Count 0 False)
 
 -- | A ray and all that come from it, in the order in which they are followed.
 allRays :: RayStory -> [RayStory]
@@ -246,8 +249,8 @@ sharesOf setting terms colours p n v = zipWith share [0 ..] (Vector.toList (stag
         (kind, colour, arrival) = case source of
           FromEverywhere c -> (AmbientKind, c, if termAmbient terms then FromAllSides else LeftOut)
           FromFar c d -> (DirectionalKind, c, arrivalOf setting p (Approach (unpacked d) Nothing 1 (cosine (unpacked d))))
-          FromPoint c place amplification attenuators -> (PointKind, c, fromPlace (unpacked place) amplification (unpacked attenuators))
-          FromWaves c place amplification attenuators _ _ -> (WaveKind, c, fromPlace (unpacked place) amplification (unpacked attenuators))
+          FromPoint c place weaker -> (PointKind, c, fromPlace (unpacked place) weaker)
+          FromWaves c place weaker _ _ -> (WaveKind, c, fromPlace (unpacked place) weaker)
         arrives = case arrival of
           FromAllSides -> True
           Arrives {} -> True
@@ -262,21 +265,19 @@ sharesOf setting terms colours p n v = zipWith share [0 ..] (Vector.toList (stag
                 BlinnHighlight -> [(BlinnTerm, alone source (Terms False False BlinnHighlight))]
                 PhongHighlight -> [(PhongTerm, alone source (Terms False False PhongHighlight))]
     cosine d = negate (dot (vector n) d)
-    fromPlace place amplification (V3 constant linear quadratic)
-      | away == 0 || denominator == 0 = Nowhere
-      | otherwise = arrivalOf setting p (Approach d (Just away) (amplification / denominator) (cosine d))
+    fromPlace place weaker = case attenuated weaker away of
+      Nothing -> Nowhere
+      Just factor -> let d = between ^/ away in arrivalOf setting p (Approach d (Just away) factor (cosine d))
       where
         between = p - place
         away = modulus between
-        d = between ^/ away
-        denominator = constant + linear * away + quadratic * away * away
 
 -- | How light comes to a point along a way.
 arrivalOf :: Setting -> Point -> Approach -> Arrival
 arrivalOf setting p way
   | approachCosine way <= 0 = FacesAway way
   | obstaclesOpaque between = InShadow way (blocker setting shadow distance')
-  | Passage r g b _ <- passage (stageWorld st) shadow distance' = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
+  | Transmittance r g b _ <- transmittance (stageWorld st) shadow distance' = Arrives way (rgb r g b) [foundThing found | (i, _) <- sortOn fst (obstaclesTransparent between), Just found <- [find (shapes setting) i]]
   where
     st = stageOf setting
     shadow = ray p (negate (approachDirection way))
@@ -309,7 +310,7 @@ bouncesOf setting depth (wr, wg, wb) index (Surface shape f) r p outward n numbe
     kr = finishMirror f
     kt = finishTransparency f
     leaving = dot v (vector outward) > 0
-    beyond = if leaving then mediumAt (stageWorld st) (Just number) p else finishIndex f
+    beyond = if leaving then refractiveIndexAt (stageWorld st) (Just number) p else finishIndex f
     passes
       | leaving = (kt * wr, kt * wg, kt * wb)
       | otherwise = let Colour tr tg tb _ = finishTint f in (capped (tr * wr), capped (tg * wg), capped (tb * wb))

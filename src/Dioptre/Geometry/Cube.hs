@@ -1,5 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
+{-# OPTIONS_GHC -fmax-worker-args=24 #-}
 
 -- |
 -- Module      : Dioptre.Geometry.Cube
@@ -103,7 +104,7 @@ infinity = 1 / 0
 -- | The outward normal of the face that a ray crosses at a parameter that 'cubeParameters' gave. On an edge, where it crosses
 -- several at once, it is the first one's in the order +z -z +y -y +x -x.
 cubeNormal :: Point -> Double -> Ray -> Double -> Unit
-cubeNormal (V3 cx cy cz) h r t
+cubeNormal (V3 cx cy cz) !h !r !t
   | crosses (cz + h) oz dz = alongZ
   | crosses (cz - h) oz dz = opposite alongZ
   | crosses (cy + h) oy dy = alongY

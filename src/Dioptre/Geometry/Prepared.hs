@@ -216,7 +216,7 @@ normalAt shape r t = case shape of
 {-# INLINE normalAt #-}
 
 rareNormal :: Rare -> Ray -> Double -> Unit
-rareNormal rare r t = case rare of
+rareNormal rare !r !t = case rare of
   Tube a -> along a (\p1 s _ _ -> tubeNormal p1 s (position r t))
   Cylinder a -> along a cylinderNormal r t
   Cone a -> along a coneNormal r t
@@ -236,7 +236,7 @@ shadingNormal r n
 -- | The texture coordinates where a ray meets the shape, at a parameter that 'parameters' gave; those of a transformed shape are taken in its
 -- own frame.
 textureAt :: Prepared -> Ray -> Double -> V2 Double
-textureAt shape r t = case shape of
+textureAt shape !r !t = case shape of
   Plane p n -> planeUv (unpacked p) (unpackedUnit n) v
   Disk p n radius -> diskUv (unpacked p) (unpackedUnit n) radius v
   Annulus p n _ outer -> diskUv (unpacked p) (unpackedUnit n) outer v

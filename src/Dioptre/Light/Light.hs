@@ -4,7 +4,9 @@
 -- Module      : Dioptre.Light.Light
 -- Description : Sources of light
 --
--- The closed sum of the lights that a scene can hold. This version reads, checks and writes them; nothing is lit yet.
+-- The closed sum of the lights that a scene can hold, as they are written. "Dioptre.Render.Stage" makes them ready, and "Dioptre.Render.Shade" adds them up.
+--
+-- Specification: 6.5 and 6.7.
 module Dioptre.Light.Light
   ( Light (..),
     Lamp (..),

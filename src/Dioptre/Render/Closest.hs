@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 -fno-full-laziness #-}
+{-# OPTIONS_GHC -O2 -fno-full-laziness -fmax-worker-args=40 #-}
 
 -- |
 -- Module      : Dioptre.Render.Closest

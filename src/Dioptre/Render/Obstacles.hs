@@ -1,6 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 -fno-full-laziness #-}
+{-# OPTIONS_GHC -O2 -fno-full-laziness -fmax-worker-args=40 #-}
 
 -- |
 -- Module      : Dioptre.Render.Obstacles
@@ -25,7 +25,7 @@ import Dioptre.Geometry.PreparedMesh (anyTriangle)
 import Dioptre.Geometry.Ray (Ray)
 import Dioptre.Light.Finish (Finish, isTransparent)
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World (..))
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), Surface (..), World (..))
 
 -- | What a ray meets nearer than a bound, in any order.
 data Obstacles = Obstacles
@@ -51,12 +51,12 @@ obstaclesOfFew h g !r !bound = foldMet h r bound each (flip (Obstacles False)) [
       | isTransparent f = next ((number, f) : through)
       | otherwise = Obstacles True [] tests
       where
-        -- Numbers are below the number of shapes, and there are as many finishes.
-        f = Vector.unsafeIndex (groupFinishes g) number
+        -- Numbers are below the number of shapes.
+        f = surfaceFinish (Vector.unsafeIndex (groupSurfaces g) number)
 {-# INLINE obstaclesOfFew #-}
 
 obstaclesOfMany :: Group -> Ray -> Double -> Obstacles
-obstaclesOfMany g r bound = obstaclesInInstances g 0 r bound (obstaclesInShapes g 0 r bound (Obstacles False [] 0))
+obstaclesOfMany g !r !bound = obstaclesInInstances g 0 r bound (obstaclesInShapes g 0 r bound (Obstacles False [] 0))
 {-# NOINLINE obstaclesOfMany #-}
 
 -- | How far a ray still matters: not at all once something opaque is met.
@@ -74,12 +74,12 @@ obstaclesInRange g first !r !bound !from !end = go from
   where
     !order = hierarchyOrder (boxes (groupShapes g))
     !shapes = things (groupShapes g)
-    -- Places are below the number of things, and numbers below that of finishes.
+    -- Places are below the number of things, and numbers too.
     go !place found
       | place >= end || obstaclesOpaque found = found
       | nearest (Vector.unsafeIndex shapes place) r bound < bound =
         let number = indexPrimArray order place
-            f = Vector.unsafeIndex (groupFinishes g) number
+            f = surfaceFinish (Vector.unsafeIndex (groupSurfaces g) number)
          in go (place + 1) (if isTransparent f then found {obstaclesTransparent = (first + number, f) : obstaclesTransparent found} else found {obstaclesOpaque = True})
       | otherwise = go (place + 1) found
 {-# NOINLINE obstaclesInRange #-}

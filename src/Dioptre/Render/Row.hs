@@ -9,6 +9,16 @@
 --
 -- A picture is a function of its scene, row by row: a 'Plan' is everything that the rows have in common, and 'row' is one of them, computed
 -- from nothing but the plan and its number.
+--
+-- >  Plan --- Window      which part of the picture
+-- >   |------ View        where the camera's rays go
+-- >   |------ Stage ----- World      the shapes, their finishes, and boxes around them
+-- >   |        |--------- sources    the lights, ready
+-- >   |        +--------- Terms      which terms of illumination count
+-- >   |------ Raytracer   samples, normalisation, depth
+-- >   +------ Flat        without light: each shape's pixel, made once
+--
+-- Specification: 8.3 and 10.2.
 module Dioptre.Render.Row
   ( -- * Planning
     Plan,
@@ -41,8 +51,8 @@ import Dioptre.Light.Finish (Colours (..), Finish (..))
 import Dioptre.Model.Library (Library)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
 import Dioptre.Render.Closest (closest)
+import Dioptre.Render.Radiance (Seen (..), radiance, unlit)
 import Dioptre.Render.Sampling (offset)
-import Dioptre.Render.Shade (Seen (..), look, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Surface (finishAt)
 import Dioptre.Render.Texture (Assets, Texture)
@@ -58,11 +68,11 @@ data Plan = Plan
     planView :: !View,
     planStage :: !Stage,
     planRaytracer :: !Raytracer,
-    -- | What a ray sees without light; 'Nothing' where there is light, or a texture.
+    -- | What a ray sees without light; 'Nothing' where there is light, or a texture, or more than one ray a pixel. See Note [Pixels made once].
     planPixels :: !(Maybe Flat)
   }
 
--- | The pixel of the background, those of the scene's own shapes by their numbers, and how to find those of models.
+-- | Pixels made once: that of the background, those of the scene's own shapes by their numbers, and how to find those of models.
 data Flat = Flat !Pixel !(Vector.Vector Pixel) !(Int -> Pixel)
 
 -- | A part of a picture: its first column and row, its width and height, in pixels. Only 'window' makes one.
@@ -117,7 +127,7 @@ data Row = Row
     rowRays :: !Int,
     -- | How many times a ray was tested against a shape.
     rowTests :: !Int,
-    -- | How many samples wanted more rays than are followed ("Dioptre.Render.Shade" counts them).
+    -- | How many samples wanted more rays than are followed ("Dioptre.Render.Radiance" counts them).
     rowCut :: !Int
   }
   deriving stock (Eq, Show)
@@ -140,7 +150,9 @@ row p !i = case planPixels p of
 -- | How many rays a row took, how many times one was tried on a shape, and how many samples were cut.
 data Work = Work {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int
 
--- | A row with one ray a pixel and no light to add up: each pixel is that of the shape that the ray sees, made once.
+-- | A row with one ray a pixel and no light to add up: each pixel is that of the shape that the ray sees.
+--
+-- Law: its pixels are those of 'colourAt'.
 flatRow :: Plan -> Flat -> Int -> Mutable.MVector s Word8 -> ST s Work
 flatRow p (Flat background pixels pixelAt) !y target = go 0 0
   where
@@ -154,8 +166,7 @@ flatRow p (Flat background pixels pixelAt) !y target = go 0 0
     go !x !tests
       | x >= width = pure (Work width tests 0)
       | otherwise = do
-        let !sx = if random then fst (offset (planRaytracer p) (viewWidth v) (left + x) y 0) else dx
-            !sy = if random then snd (offset (planRaytracer p) (viewWidth v) (left + x) y 0) else dy
+        let !(!sx, !sy) = if random then offset (planRaytracer p) (viewWidth v) (left + x) y 0 else (dx, dy)
         case closest w (rayThrough v (fromIntegral (left + x) + sx) (fromIntegral y + sy)) far of
           Closest _ i tried -> do
             put target x (if i < 0 then background else if i < Vector.length pixels then Vector.unsafeIndex pixels i else pixelAt i)
@@ -165,7 +176,7 @@ flatRow p (Flat background pixels pixelAt) !y target = go 0 0
 litRow :: Plan -> Int -> Mutable.MVector s Word8 -> ST s Work
 litRow p !y target = case stageTerms st of
   Nothing -> across (unlit st (viewFar v))
-  Just terms -> across (look st terms (viewFar v))
+  Just terms -> across (radiance st terms (viewFar v))
   where
     !width = planWidth p
     !left = windowColumn (planWindow p)
@@ -198,7 +209,7 @@ data Sampled = Sampled {-# UNPACK #-} !Colour {-# UNPACK #-} !Work
 
 -- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order and opaque.
 colourAt :: Plan -> Int -> Int -> Sampled
-colourAt p = sampled (planRaytracer p) v (maybe (unlit st) (look st) (stageTerms st) (viewFar v))
+colourAt p = sampled (planRaytracer p) v (maybe (unlit st) (radiance st) (stageTerms st) (viewFar v))
   where
     st = planStage p
     v = planView p
@@ -220,3 +231,8 @@ sampled tracer v see x y
       where
         !(!dx, !dy) = offset tracer (viewWidth v) x y k
 {-# INLINE sampled #-}
+
+-- Note [Pixels made once]
+-- ~~~~~~~~~~~~~~~~~~~~~~~
+-- Without light a ray sees one colour on the whole of a shape, the diffuse one, unless a picture stands in for it. So all pixels there can be are known beforehand, one for each shape and one for the background; a row only asks what is
+-- met first, and copies four bytes. By colours, each would be capped and rounded to bytes again for every pixel.

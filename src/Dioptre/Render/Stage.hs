@@ -25,6 +25,7 @@ import Data.Maybe (mapMaybe)
 import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import qualified Data.Vector.Unboxed as Unboxed
+import Dioptre.Light.Attenuation (Attenuation, attenuation)
 import Dioptre.Light.Colour (Colour, white)
 import Dioptre.Light.Light (Aperture (..), Lamp (..), Light (..), Opening (..), Wave (..))
 import Dioptre.Light.Wave (linearOscillators, planarOscillators)
@@ -64,28 +65,26 @@ data Source
     FromEverywhere {-# UNPACK #-} !Colour
   | -- | Colour, and the unit direction in which it travels.
     FromFar {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed
-  | -- | Colour, position, amplification, and the three attenuators.
-    FromPoint {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed
+  | -- | Colour, position, and how it grows weaker.
+    FromPoint {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Attenuation
   | -- | The same for waves, whose colour is the wavelength's, with the sources.
-    FromWaves {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Double {-# UNPACK #-} !Packed !Wave !(Unboxed.Vector (Double, Double, Double))
+    FromWaves {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Attenuation !Wave !(Unboxed.Vector (Double, Double, Double))
 
 source :: Assets -> Light -> Maybe Source
 source assets light = case light of
   Ambient c -> Just (FromEverywhere c)
   Directional c v -> FromFar c . packed . vector <$> unit v
-  PointLight lamp -> Just (FromPoint (lampColour lamp) (packed (lampPosition lamp)) (lampAmplification lamp) (attenuators lamp))
+  PointLight lamp -> Just (FromPoint (lampColour lamp) (packed (lampPosition lamp)) (attenuation lamp))
   LinearAperture lamp wave ends@(a, b) -> Just (waves lamp wave (0.5 *^ (a + b)) (linearOscillators (waveOscillators wave) ends))
   PlanarAperture opening lamp wave aperture ->
     Just (waves lamp wave (lampPosition lamp) (planarOscillators (isOpen assets opening aperture) (lampPosition lamp) (waveOscillators wave) aperture))
   where
-    attenuators lamp = let (c, l, q) = lampAttenuators lamp in packed (V3 c l q)
     waves :: Lamp -> Wave -> Point -> [Point] -> Source
     waves lamp wave middle points =
       FromWaves
         (colourOfWavelength (waveLength wave))
         (packed middle)
-        (lampAmplification lamp)
-        (attenuators lamp)
+        (attenuation lamp)
         wave
         (Unboxed.fromList [(x, y, z) | V3 x y z <- points])
 

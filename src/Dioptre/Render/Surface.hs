@@ -18,14 +18,11 @@ import Data.Vector ((!?))
 import qualified Data.Vector as Vector
 import qualified Data.Vector.Unboxed as Unboxed
 import Dioptre.Geometry.Mesh (meshFinishes)
-import Dioptre.Geometry.Prepared (Prepared, placedIn)
+import Dioptre.Geometry.Prepared (placedIn)
 import Dioptre.Geometry.PreparedMesh (preparedMesh, preparedTriangle)
 import Dioptre.Light.Finish (Finish)
 import Dioptre.Render.Texture (Texture)
-import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), World, root)
-
--- | A shape, where it is in the world, and its finish.
-data Surface = Surface !Prepared !(Finish Texture)
+import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), Surface (..), World, root)
 
 -- | The shape of a number from 0 to below 'Dioptre.Render.World.worldSize'; 'Nothing' elsewhere.
 --
@@ -37,18 +34,16 @@ surfaceAt w !number = surfaceIn (root w) number
 surfaceIn :: Group -> Int -> Maybe Surface
 surfaceIn !g !number
   | number < 0 = Nothing
-  | number < Vector.length shapes = Just (Surface (Vector.unsafeIndex shapes number) (Vector.unsafeIndex (groupFinishes g) number))
+  | number < Vector.length (groupSurfaces g) = let !surface = Vector.unsafeIndex (groupSurfaces g) number in Just surface
   | otherwise = surfaceInInstance g number
-  where
-    -- There are as many finishes as shapes.
-    shapes = numbered (groupShapes g)
 {-# INLINE surfaceIn #-}
 
 surfaceInInstance :: Group -> Int -> Maybe Surface
-surfaceInInstance g number = do
+surfaceInInstance g !number = do
   Placed first place body <- instanceOf g number
   Surface shape f <- surfaceInBody body (number - first)
   pure (Surface (maybe id placedIn place shape) f)
+{-# NOINLINE surfaceInInstance #-}
 
 -- | The instance of a group that a number is in.
 instanceOf :: Group -> Int -> Maybe Placed
@@ -82,7 +77,7 @@ finishAt w = finishIn (root w)
 finishIn :: Group -> Int -> Maybe (Finish Texture)
 finishIn g number
   | number < 0 = Nothing
-  | number < Vector.length (groupFinishes g) = groupFinishes g !? number
+  | number < Vector.length (groupSurfaces g) = Just (surfaceFinish (Vector.unsafeIndex (groupSurfaces g) number))
   | otherwise = do
     Placed first _ body <- instanceOf g number
     case body of

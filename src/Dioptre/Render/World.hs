@@ -35,6 +35,7 @@ module Dioptre.Render.World
     -- * What they are made of
     Group (..),
     Arranged (..),
+    Surface (..),
     Placed (..),
     Body (..),
 
@@ -91,7 +92,7 @@ worldSize = groupSize . root
 
 -- | How many of them are the scene's own primitives, which have the first numbers.
 worldOwn :: World -> Int
-worldOwn = Vector.length . groupFinishes . root
+worldOwn = Vector.length . groupSurfaces . root
 
 -- | Whether any closed shape lets light through, so that refractive indices matter.
 worldHasMedia :: World -> Bool
@@ -118,8 +119,8 @@ data Extent = Extent
 data Group = Group
   { -- | The shapes that stand in it by themselves.
     groupShapes :: {-# UNPACK #-} !(Arranged Prepared),
-    -- | The finish of each shape, by its number.
-    groupFinishes :: {-# UNPACK #-} !(Vector (Finish Texture)),
+    -- | The same shapes with their finishes, by number.
+    groupSurfaces :: {-# UNPACK #-} !(Vector Surface),
     -- | The models in it; numbers count them, not their shapes.
     groupInstances :: !(Arranged Placed),
     -- | How many numbers the group takes: its shapes', and those in its instances.
@@ -131,6 +132,9 @@ data Group = Group
     -- | How many boxes are around one of its shapes at most.
     groupDepth :: !Int
   }
+
+-- | A shape, where it is in its group or in the world, and its finish.
+data Surface = Surface {surfaceShape :: !Prepared, surfaceFinish :: !(Finish Texture)}
 
 -- | Things with boxes around them.
 data Arranged a = Arranged
@@ -202,7 +206,7 @@ group :: [(Maybe Box, Prepared, Finish Texture)] -> [(Maybe Placement, Body)] ->
 group shapes instances =
   Group
     { groupShapes = arrangedShapes,
-      groupFinishes = Vector.fromList [f | (_, _, f) <- shapes],
+      groupSurfaces = Vector.fromList [Surface s f | (_, s, f) <- shapes],
       groupInstances = arrangedInstances,
       groupSize = size,
       groupHasMedia = or [isClosed s && isTransparent f | (_, s, f) <- shapes] || any (bodyHasMedia . snd) instances,

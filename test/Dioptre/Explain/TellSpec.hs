@@ -15,8 +15,8 @@ import Dioptre.Light.Material (standard)
 import Dioptre.Math.Transform (identity)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..), noModels)
+import Dioptre.Render.Radiance (mostRays)
 import Dioptre.Render.Row (Sampled (..), Work (..), colourAt, plan)
-import Dioptre.Render.Shade (mostRays)
 import Laws.Shade (sceneOf)
 import Laws.Story
 import Test.Hspec

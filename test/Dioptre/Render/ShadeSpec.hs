@@ -21,7 +21,8 @@ import Dioptre.Model.Library (noModels)
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Render (Tally (..), renderWith, rendered)
 import Dioptre.Render.Row (Plan, Sampled (..), Work (..), colourAt, plan)
-import Dioptre.Render.Shade
+import Dioptre.Render.Surroundings (refractiveIndexAt)
+import Dioptre.Render.Transmittance
 import Dioptre.Render.World (world)
 import Laws.Shade
 import Linear.V3 (V3 (..))
@@ -206,7 +207,7 @@ shadows = do
     -- From within an opaque ball, with the lamp outside; and with the lamp inside too
     [colourIn (ball "ball" 2 chalk ++ lampAt z []) (ray (V3 0 0 2) (V3 0 0 (-1))) | z <- [4, 2.25]] `shouldBe` [nothing, white]
 
-  describe "passage" $ do
+  describe "transmittance" $ do
     it "is clear where nothing is" $ at' 10 [] `shouldBe` (1, 1, 1)
     it "tells the product of the tints" $ at' 10 (pane 1 ["kt 0.5"] ++ pane 2 ["kt 0.25", "color 1 0.5 0"]) `shouldBe` (0.125, 0.0625, 0)
     it "ends before the bound" $ [at' bound (pane 1 ["kt 0.5"] ++ pane 2 []) | bound <- [1, 1.001, 2, 2.001]] `shouldBe` [(1, 1, 1), (0.5, 0.5, 0.5), (0.5, 0.5, 0.5), (0, 0, 0)]
@@ -215,7 +216,7 @@ shadows = do
     modifyMaxSuccess (* 5) $ prop "does not depend on the order of the shapes" passageHasNoOrder
   where
     litBehind text = colourIn (floorOf chalk ++ lampAt 4 [] ++ text) slanting
-    at' bound text = let Passage r g b _ = passage (world Map.empty noModels (sceneOf text)) (ray 0 (V3 0 0 1)) bound in (r, g, b)
+    at' bound text = let Transmittance r g b _ = transmittance (world Map.empty noModels (sceneOf text)) (ray 0 (V3 0 0 1)) bound in (r, g, b)
 
 -- | A ball of radius 1/2 above the origin.
 ball :: Text -> Double -> [Text] -> [Text]
@@ -360,7 +361,7 @@ bodies = do
 
   describe "refractive indices" $ do
     let nested = thing "a" ["sphere", "ray 3", "end"] ["kt 1", "refractive_index 1.5"] ++ thing "b" ["sphere", "ray 2", "end"] ["kt 0.25", "refractive_index 2"] ++ thing "c" ["cube", "size 2", "end"] ["refractive_index 9"] ++ thing "d" ["disk", "end"] ["kt 1", "refractive_index 7"]
-        index text = mediumAt (world Map.empty noModels (sceneOf text))
+        index text = refractiveIndexAt (world Map.empty noModels (sceneOf text))
     it "are 1 outside, the material's inside one, the mean inside several; 1 for what is opaque" $
       [index nested Nothing (V3 x 0 0) | x <- [4, 2.5, 1.5, 0.5]] `shouldBe` [1, 1.5, 1.75, 1.5]
     it "leave out the shape that is left, wherever the point is" $

@@ -11,6 +11,7 @@ import qualified Data.Vector as Vector
 import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Unboxed as Unboxed
 import Data.Word (Word8)
+import Dioptre.Light.Attenuation
 import Dioptre.Light.Colour
 import Dioptre.Light.Finish hiding (pictures)
 import Dioptre.Light.Light
@@ -126,14 +127,14 @@ told :: Source -> Told
 told s = case s of
   FromEverywhere c -> Told "everywhere" c 0 []
   FromFar c d -> Told "far" c (unpacked d) []
-  FromPoint c p k factors -> Told "point" c (unpacked p) (k : listed (unpacked factors))
-  FromWaves c p k factors _ _ -> Told "waves" c (unpacked p) (k : listed (unpacked factors))
+  FromPoint c p weaker -> Told "point" c (unpacked p) (listed weaker)
+  FromWaves c p weaker _ _ -> Told "waves" c (unpacked p) (listed weaker)
   where
-    listed (V3 a b c) = [a, b, c]
+    listed a = [amplification a, constant a, linear a, quadratic a]
 
 sourcesOf :: Source -> [(Double, Double, Double)]
 sourcesOf s = case s of
-  FromWaves _ _ _ _ wave points | waveLength wave > 0 -> Unboxed.toList points
+  FromWaves _ _ _ wave points | waveLength wave > 0 -> Unboxed.toList points
   _ -> []
 
 pictures :: Map.Map Text Picture

@@ -22,7 +22,7 @@ import Dioptre.Geometry.Sphere (sphere)
 import Dioptre.Geometry.Triangle (Corners (..), triangle)
 import Dioptre.Math.Transform (identity, transform)
 import Dioptre.Render.Closest (closest)
-import Dioptre.Render.Surface (Surface (..), surfaceAt)
+import Dioptre.Render.Surface (surfaceAt)
 import Dioptre.Render.World
 import Laws.Closest
 import Laws.Mesh (meshOf)

@@ -73,9 +73,10 @@ import Dioptre.Math.Vector
 import Dioptre.Model.Library (noModels)
 import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
-import Dioptre.Render.Shade (Passage (..), Seen (..), look, mostRays, passage, unlit)
+import Dioptre.Render.Radiance (Seen (..), mostRays, radiance, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Texture (Assets)
+import Dioptre.Render.Transmittance (Transmittance (..), transmittance)
 import Dioptre.Render.World (world)
 import Dioptre.Scene (Scene (..), writeScene)
 import Dioptre.Scene.Camera (CameraSettings (..), cameraSettings)
@@ -110,7 +111,7 @@ seen = seenWith Map.empty
 
 -- | What a ray sees in a scene with these pictures.
 seenWith :: Assets -> Scene -> Ray -> Shown
-seenWith assets scene r = case maybe (unlit s far r) (\terms -> look s terms far r) (stageTerms s) of
+seenWith assets scene r = case maybe (unlit s far r) (\terms -> radiance s terms far r) (stageTerms s) of
   Seen c rays _ cut -> Shown c rays cut
   where
     s = stage assets noModels scene
@@ -549,10 +550,10 @@ slabDisplaces = forAll ((,,) <$> choose (0, 1.2) <*> choose (0, 2 * pi) <*> oneo
 -- | What a shadow ray passes does not depend on the order of the shapes, up to roundings: each side multiplies at most once for each shape.
 passageHasNoOrder :: Small -> Property
 passageHasNoOrder (Small scene r) = forAll ((,) <$> shuffle (scenePrimitives scene) <*> elements [1, 3, 1 / 0]) $ \(shapes, bound) ->
-  let at these = passage (world Map.empty noModels scene {scenePrimitives = these}) r bound
+  let at these = transmittance (world Map.empty noModels scene {scenePrimitives = these}) r bound
    in counterexample (show (length shapes)) $
         case (at (scenePrimitives scene), at shapes) of
-          (Passage a b c _, Passage a' b' c' _) -> within (roundings (2 * length shapes)) [a, b, c] [a', b', c']
+          (Transmittance a b c _, Transmittance a' b' c' _) -> within (roundings (2 * length shapes)) [a, b, c] [a', b', c']
 
 colourOf :: Scene -> Ray -> [Double]
 colourOf scene = channels . shownColour . seen scene

@@ -56,8 +56,8 @@ import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..), noModels)
 import Dioptre.Render (rendered)
 import Dioptre.Render.Obstacles
+import Dioptre.Render.Radiance (Seen (..), radiance, unlit)
 import Dioptre.Render.Row (Sampled (..), Work (..), colourAt, plan, planHeight, planWidth)
-import Dioptre.Render.Shade (Seen (..), look, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Surface
 import Dioptre.Render.Surroundings
@@ -323,7 +323,7 @@ picturesAreAsOfShapes (Modelled lit library _ _) = forAll arbitrary $ \isLit ->
 
 -- | What a ray sees in a scene with models is what the plain recursion of "Laws.Shade" sees of its shapes, but for the order of sums.
 coloursAreAsOfTheRecursion :: Modelled -> Property
-coloursAreAsOfTheRecursion (Modelled scene library r0 _) = case maybe (unlit s far r) (\terms -> look s terms far r) (stageTerms s) of
+coloursAreAsOfTheRecursion (Modelled scene library r0 _) = case maybe (unlit s far r) (\terms -> radiance s terms far r) (stageTerms s) of
   Seen c rays _ cut -> Shade.within 1e-12 (channels c) expected .&&. (rays, cut) === (followed + shadows, cut')
   where
     r = maybe r0 (ray (origin r0) . vector) (unit (direction r0))
