@@ -98,10 +98,10 @@ program l first configured =
         <> footer
           ( say
               ( "Exit codes: 0 done, 1 faults under check or --strict, or a difference, 2 wrong usage,"
-                  <> " 3 a file that cannot be read or written, 70 a bug of ours, 130 stopped by Ctrl-C."
+                  <> " 3 a file that cannot be read or written, 70 a bug of ours, 130 stopped by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP."
               )
               ( "Codes de sortie\xA0: 0 terminé, 1 fautes avec check ou --strict, ou une différence, 2 mauvais usage,"
-                  <> " 3 fichier illisible ou impossible à écrire, 70 erreur de notre part, 130 arrêté par Ctrl-C."
+                  <> " 3 fichier illisible ou impossible à écrire, 70 erreur de notre part, 130 arrêté par Ctrl-C, 143 par SIGTERM, 129 par SIGHUP."
               )
           )
     )
@@ -174,7 +174,7 @@ settings l = Settings <$> optional language <*> quiet <*> optional threads
     threads =
       option (atLeast l 1) $
         long "threads" <> metavar "N"
-          <> explained l "use N processors (default: all)" "utiliser N processeurs (par défaut\xA0: tous)"
+          <> explained l "use N processors at most (default: all)" "utiliser N processeurs au plus (par défaut\xA0: tous)"
 
 -------------------------------------------------------------------------------
 -- The commands
