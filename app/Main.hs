@@ -8,7 +8,7 @@ module Main
   )
 where
 
-import CommandLine (Call (..), Settings (..), asked, program)
+import CommandLine (Call (..), Settings (..), asked, program, understood)
 import Control.Exception (IOException, SomeAsyncException, SomeException, catch, fromException, handle, throwIO, try)
 import Control.Monad (filterM)
 import Data.Maybe (fromMaybe)
@@ -22,7 +22,6 @@ import GHC.Conc (getNumProcessors, setNumCapabilities)
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding)
 import GHC.IO.Exception (IOErrorType (ResourceVanished), ioe_type)
 import Inherited (isIgnored)
-import Options.Applicative (handleParseResult)
 import System.Environment (getArgs, getEnvironment)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hPutStrLn, hSetEncoding, stderr, stdout, utf8)
@@ -41,7 +40,9 @@ main = do
     let locale = fromLocale (`lookup` environment)
         habitual = fromMaybe locale (either (const Nothing) (\(_, c, _) -> configurationLanguage c) configuration)
         first = either (const minBound) (\(_, c, _) -> firstNumber c) configuration
-    call <- try (getArgs >>= handleParseResult . asked (program habitual first (`run` configuration)))
+    call <- try $ do
+      arguments <- getArgs
+      understood habitual first arguments (asked (program habitual first (`run` configuration)) arguments)
     exitWith =<< case call of
       Left code -> withAllPrinted habitual (pure code)
       Right (Call settings work) -> do
