@@ -14,10 +14,12 @@ module CommandLine
     -- * Reading it
     asked,
     program,
+    understood,
   )
 where
 
 import Control.Applicative (many, optional, some, (<|>))
+import Data.Int (Int32)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
@@ -41,7 +43,10 @@ import Dioptre.Syntax.Value (integer, real)
 import Options.Applicative hiding (info, many, optional, some, (<|>))
 import qualified Options.Applicative as Options
 import Paths_dioptre (version)
-import System.Exit (ExitCode (..))
+import System.Environment (getProgName)
+import System.Exit (ExitCode (..), exitWith)
+import System.IO (hPutStr, stderr)
+import Usage (Known (..), inWords, optionsOf)
 import Prelude hiding (compare)
 
 -------------------------------------------------------------------------------
@@ -69,6 +74,16 @@ data Settings = Settings
 -- | The call in some arguments; or help, the version, or what is wrong with them, as it is to be printed.
 asked :: ParserInfo Call -> [String] -> ParserResult Call
 asked whole = execParserPure defaultPrefs whole . joinCrop
+
+-- | The call that was asked for. Where there is none, prints help or what is wrong, in a language, and ends.
+understood :: Language -> PictureNumber -> [String] -> ParserResult Call -> IO Call
+understood l first arguments result = case result of
+  Failure failure -> do
+    (text, code) <- renderFailure failure <$> getProgName
+    let said = inWords l (known l first) arguments text
+    if code == ExitSuccess then putStr said else hPutStr stderr said
+    exitWith code
+  _ -> handleParseResult result
 
 -- | The four numbers of @--crop@ as one argument, which is what the option parser can take.
 joinCrop :: [String] -> [String]
@@ -98,10 +113,10 @@ program l first configured =
         <> footer
           ( say
               ( "Exit codes: 0 done, 1 faults under check or --strict, or a difference, 2 wrong usage,"
-                  <> " 3 a file that cannot be read or written, 70 a bug of ours, 130 stopped by Ctrl-C."
+                  <> " 3 a file that cannot be read or written, 70 a bug of ours, 130 stopped by Ctrl-C, 143 by SIGTERM, 129 by SIGHUP."
               )
               ( "Codes de sortie\xA0: 0 terminé, 1 fautes avec check ou --strict, ou une différence, 2 mauvais usage,"
-                  <> " 3 fichier illisible ou impossible à écrire, 70 erreur de notre part, 130 arrêté par Ctrl-C."
+                  <> " 3 fichier illisible ou impossible à écrire, 70 erreur de notre part, 130 arrêté par Ctrl-C, 143 par SIGTERM, 129 par SIGHUP."
               )
           )
     )
@@ -112,44 +127,53 @@ program l first configured =
       infoOption ("dioptre " <> versionText) $
         long "version" <> explained l "show the version" "afficher la version" <> hidden
 
-    commands =
-      subparser . mconcat $
-        [ entry "render" (rendering l first) (say "draw a scene" "dessiner une scène"),
-          entry "new" (beginning l) $
-            say
-              "write a scene to start from, NAME.txt, never over another file"
-              "écrire une scène de départ, NOM.txt, jamais sur un autre fichier",
-          entry "check" (checking l) $
-            say
-              "tell what is wrong with scenes, and draw nothing"
-              "dire ce qui ne va pas dans des scènes, sans dessiner",
-          entry "explain" (explaining l) $
-            say
-              "tell the story of one pixel: its ray, the shapes, the lights, the colour"
-              "raconter l'histoire d'un pixel\xA0: son rayon, les formes, les lumières, la couleur",
-          entry "view" (viewing l) $
-            say
-              "show a scene in the browser, where it can be changed and asked about"
-              "montrer une scène dans le navigateur, où l'on peut la modifier et l'interroger",
-          entry "compare" comparing $
-            say
-              "compare two scenes or pictures, pixel by pixel"
-              "comparer deux scènes ou images, pixel par pixel",
-          entry "info" informing $
-            say
-              "list applications, words and defaults"
-              "énumérer applications, mots et valeurs par défaut",
-          entry "oracle" answering $
-            say
-              "answer the conformance protocol, a line for a line"
-              "répondre au protocole de conformité, ligne par ligne",
-          entry "conform" (conforming l) $
-            say
-              "run the conformance suite against a port, a program that answers the protocol"
-              "soumettre un portage, un programme qui répond au protocole, à la suite de conformité",
-          metavar (say "COMMAND" "COMMANDE")
-        ]
-    entry name work what = command name (Options.info (helpOption l <*> call work) (progDesc what <> failureCode 2))
+    commands = subparser (foldMap entry (commandsOf l first) <> metavar (say "COMMAND" "COMMANDE"))
+    entry (name, work, what) = command name (Options.info (helpOption l <*> call work) (progDesc what <> failureCode 2))
+
+-- | What can be written on the command line.
+known :: Language -> PictureNumber -> Known
+known l first = Known [(name, optionsOf (Call <$> settings l <*> work)) | (name, work, _) <- commandsOf l first] (optionsOf (Call <$> settings l <*> rendering l first))
+
+-- | The commands, and what each is for.
+commandsOf :: Language -> PictureNumber -> [(String, Parser Work, String)]
+commandsOf l first =
+  [ entry "render" (rendering l first) (say "draw a scene" "dessiner une scène"),
+    entry "new" (beginning l) $
+      say
+        "write a scene to start from, NAME.txt, never over another file"
+        "écrire une scène de départ, NOM.txt, jamais sur un autre fichier",
+    entry "check" (checking l) $
+      say
+        "tell what is wrong with scenes, and draw nothing"
+        "dire ce qui ne va pas dans des scènes, sans dessiner",
+    entry "explain" (explaining l) $
+      say
+        "tell the story of one pixel: its ray, the shapes, the lights, the colour"
+        "raconter l'histoire d'un pixel\xA0: son rayon, les formes, les lumières, la couleur",
+    entry "view" (viewing l) $
+      say
+        "show a scene in the browser, where it can be changed and asked about"
+        "montrer une scène dans le navigateur, où l'on peut la modifier et l'interroger",
+    entry "compare" comparing $
+      say
+        "compare two scenes or pictures, pixel by pixel"
+        "comparer deux scènes ou images, pixel par pixel",
+    entry "info" informing $
+      say
+        "list applications, words and defaults"
+        "énumérer applications, mots et valeurs par défaut",
+    entry "oracle" answering $
+      say
+        "answer the conformance protocol, a line for a line"
+        "répondre au protocole de conformité, ligne par ligne",
+    entry "conform" (conforming l) $
+      say
+        "run the conformance suite against a port, a program that answers the protocol"
+        "soumettre un portage, un programme qui répond au protocole, à la suite de conformité"
+  ]
+  where
+    say = inLanguage l
+    entry name work what = (name, work, what)
 
 -- | The version of this program.
 versionText :: String
@@ -174,7 +198,7 @@ settings l = Settings <$> optional language <*> quiet <*> optional threads
     threads =
       option (atLeast l 1) $
         long "threads" <> metavar "N"
-          <> explained l "use N processors (default: all)" "utiliser N processeurs (par défaut\xA0: tous)"
+          <> explained l "use N processors at most (default: all)" "utiliser N processeurs au plus (par défaut\xA0: tous)"
 
 -------------------------------------------------------------------------------
 -- The commands
@@ -215,7 +239,7 @@ beginning l = flip new <$> path (inLanguage l "NAME" "NOM")
 
 -- | @check@.
 checking :: Language -> Parser Work
-checking l = work <$> original <*> format l <*> some scene
+checking l = work <$> original <*> format l <*> some (path "SCENE...")
   where
     work alsoOriginal printed scenes journal =
       (if alsoOriginal then checkWithOriginal else check) journal printed scenes
@@ -235,7 +259,7 @@ explaining l =
     <*> place (inLanguage l "ROW" "LIGNE") (explained l "from 0 at the top" "de 0, en haut")
   where
     work printed file column row journal = explain journal printed file column row
-    place name what = argument (atLeast l 0) (metavar name <> what)
+    place name what = argument (integerFor l name 0) (metavar name <> what)
 
 -- | @view@.
 viewing :: Language -> Parser Work
@@ -327,13 +351,18 @@ explained l en fr = help (inLanguage l en fr)
 -------------------------------------------------------------------------------
 -- Values
 
--- | An integer that is not less than a bound.
+-- | An integer that is not less than a bound. The greatest is that of the scene language.
 atLeast :: Language -> Int -> ReadM Int
-atLeast l least = valued (wanted <> show least) $ \text -> case integer text of
+atLeast l = integerFor l ""
+
+-- | The same for an argument, which has a name.
+integerFor :: Language -> String -> Int -> ReadM Int
+integerFor l name least = valued (called <> wanted) $ \text -> case integer text of
   Right n | n >= least -> Just n
   _ -> Nothing
   where
-    wanted = inLanguage l "an integer, at least " "un entier, au moins "
+    called = if null name then "" else name <> inLanguage l ": " "\xA0: "
+    wanted = inLanguage l "an integer from " "un entier de " <> show least <> inLanguage l " to " " à " <> show (maxBound :: Int32)
 
 fourNumbers :: Language -> ReadM (Int, Int, Int, Int)
 fourNumbers l = valued wanted $ \text -> case traverse integer (Text.words text) of

@@ -17,13 +17,13 @@ const raysSearched = 400;
 /** Fills the panel with a story and its text. */
 export function tellStory(story, text) {
   const [first] = story.samples;
-  const several = story.samples.length > 1;
+  const several = story.sampling > 1;
   byId("story-content").replaceChildren(
     ...[
       element("p", { class: "answer" }, swatch(story.pixel.slice(0, 3).map((byte) => byte / 255)), element("strong", {}, bytes(story.pixel)), " ", answer(story)),
       element("p", { class: "aside" }, say("light", story.algorithm, story.level)),
       several ? story.samples.slice(0, samplesTold).map((sample, k) => folded({ class: "sample" }, [say("through", k + 1, short(sample.offset[0], 4), short(sample.offset[1], 4)), " ", colour(sample.colour)], () => rayStory("1", sample.ray, story), k === 0)) : rayStory("1", first.ray, story),
-      several && story.samples.length > samplesTold && element("p", { class: "aside" }, say("andMore", story.samples.length - samplesTold)),
+      several && story.sampling > samplesTold && element("p", { class: "aside" }, say("andMore", story.sampling - samplesTold)),
       part(say("colour"), ...sum(story)),
       legend(first.ray),
       folded({ class: "in-words" }, say("inWords"), () => element("pre", {}, text)),
@@ -36,7 +36,7 @@ export function tellStory(story, text) {
 const part = (title, ...content) => element("section", { class: "part" }, element("h4", {}, title), ...content);
 
 function answer(story) {
-  if (story.samples.length > 1) return say("manyRays", story.samples.length);
+  if (story.sampling > 1) return say("manyRays", story.sampling);
   const { hit } = story.samples[0].ray;
   return hit ? say("sees", shapeName(hit.shape)) : say("seesNothing");
 }
@@ -251,7 +251,7 @@ function sum(story) {
       element(
         "tbody",
         {},
-        story.samples.length > 1 ? line(say("mean"), colour(story.colour)) : [contributions(sample.ray), line(say("sum"), colour(story.colour))],
+        story.sampling > 1 ? line(say("mean"), colour(story.colour)) : [contributions(sample.ray), line(say("sum"), colour(story.colour))],
         isUnchanged ? line("", say("unchanged")) : line(say("normalized"), colour(story.normalized)),
         line(say("rounded"), element("strong", {}, bytes(story.pixel))),
       ),

@@ -8,7 +8,8 @@ module RobustnessSpec
 where
 
 import Control.Concurrent (myThreadId, threadDelay, throwTo)
-import Control.Exception (AsyncException (UserInterrupt), SomeException, bracket_, evaluate, try)
+import Control.Concurrent.Async (concurrently)
+import Control.Exception (AsyncException (UserInterrupt), SomeException, bracket, bracket_, evaluate, try)
 import Control.Monad (forM_, replicateM, void, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
@@ -20,30 +21,42 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre (checkScene, complaints, draw, fromText, parse, pictureHeight, pictureWidth)
+import Dioptre.Command.Check (check)
+import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Ends (EndedBy (..), dieOf, heedSignals, withAllPrinted)
+import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (readConfiguration, run)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
-import Dioptre.Files.Whole (writeWhole)
+import Dioptre.Files.Whole (readWhole, writeWhole)
+import Dioptre.Files.Wording (fileFault)
 import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Model.Library (noModels)
 import Dioptre.Picture.Png (decode)
+import Dioptre.Render.Parallel (workersAmong)
 import Dioptre.Render.Row (Sampled (..), colourAt, plan)
 import Dioptre.Source.Diagnostic (code, diagnosticProblem)
-import Dioptre.Source.Language (Language (English))
+import Dioptre.Source.Language (Language (..))
+import GHC.IO.Handle (hDuplicate)
+import GHC.IO.Handle.FD (openFileBlocking)
 import System.Directory (listDirectory, removeFile)
 import System.Exit (ExitCode (..))
-import System.IO (IOMode (AppendMode), hFlush, stderr, stdout, withFile)
+import System.FilePath ((</>))
+import System.IO (IOMode (..), hClose, hFlush, stderr, stdout, withFile)
+import System.IO.Temp (withSystemTempDirectory)
 import System.IO.Unsafe (unsafeInterleaveIO)
-import System.Posix.Files (setFileMode)
+import System.Posix.Files (createNamedPipe, createSymbolicLink, setFileMode)
+import System.Posix.IO (dupTo, handleToFd, stdError, stdOutput)
 import System.Posix.Process (ProcessStatus (..), exitImmediately, forkProcess, getProcessStatus)
-import System.Posix.Resource (Resource (ResourceFileSize), ResourceLimit (..), ResourceLimits (..), setResourceLimit)
-import System.Posix.Signals (Handler (..), fileSizeLimitExceeded, installHandler, sigINT, sigKILL, signalProcess)
+import System.Posix.Resource (Resource (ResourceFileSize, ResourceOpenFiles), ResourceLimit (..), ResourceLimits (..), setResourceLimit)
+import System.Posix.Signals (Handler (..), fileSizeLimitExceeded, installHandler, sigHUP, sigINT, sigKILL, sigTERM, signalProcess)
 import System.Posix.Types (ProcessID)
 import System.Posix.User (getEffectiveUserID, setEffectiveUserID)
 import System.Timeout (timeout)
 import Test.Hspec
+import Prelude hiding (compare)
 
 spec :: Spec
 spec = do
@@ -63,6 +76,21 @@ spec = do
       code'' <- inProcess (withoutRoom 2000 (quietly (render' (Numbered minBound))))
       code'' `shouldBe` Just (ExitFailure 3)
       listDirectory "." `shouldReturn` ["s.txt"]
+    it "a picture that no folder takes is refused before it is drawn" . inFolder $ do
+      Text.writeFile "s.txt" (noisy 4000)
+      Text.writeFile "configuration.cfg" (configured <> "log_file no\n")
+      bracket_ (setFileMode "." 0o555) (setFileMode "." 0o755) . unprivileged $
+        forM_ [render' (ToFile "p.png"), render' (Numbered minBound), runHere] $ \command -> do
+          outcome <- timeout 10000000 (heard command)
+          ((\(code', out, err) -> (code', out, "permission" `Text.isInfixOf` err)) <$> outcome) `shouldBe` Just (ExitFailure 3, "", True)
+    it "too many open files are told as such" . inFolder $ do
+      writeFile "s.txt" ""
+      code' <- inProcess $ do
+        setResourceLimit ResourceOpenFiles (ResourceLimits (ResourceLimit 3) (ResourceLimit 3))
+        result <- readWhole "s.txt"
+        pure (if result == Left (FileFault "s.txt" TooManyOpen) then ExitSuccess else ExitFailure 1)
+      code' `shouldBe` Just ExitSuccess
+      map (`fileFault` FileFault "s.txt" TooManyOpen) [English, French] `shouldBe` ["s.txt: too many files are open", "s.txt\xA0: trop de fichiers sont ouverts"]
     it "a full device is told as such" $
       writeWhole "/dev/full" "x" `shouldReturn` Left (FileFault "/dev/full" DiskFull)
     it "a read-only folder is told, and exit code 3" . inFolder $ do
@@ -99,6 +127,19 @@ spec = do
         now <- Text.readFile "configuration.cfg"
         Text.replace "viewport_image_count" "" (Text.filter (`notElem` ("0123456789" :: String)) now) `shouldBe` Text.replace "viewport_image_count" "" (Text.filter (`notElem` ("0123456789" :: String)) configured)
         wholePictures
+    forM_ [("SIGTERM", sigTERM), ("SIGHUP", sigHUP)] $ \(name, signal) ->
+      it ("by " <> name <> " while it writes leaves no temporary, and is seen to have ended by it") . inFolder $ do
+        writeFile "p.png" "old"
+        child <- forked $ do
+          heedSignals [sigTERM, sigHUP]
+          rest <- unsafeInterleaveIO (Lazy.empty <$ (writeFile "begun" "" >> threadDelay 60000000))
+          outcome <- try (writeWhole "p.png" (Lazy8.replicate 300000 'x' <> rest))
+          either (\(EndedBy s) -> dieOf s) (const (exitImmediately ExitSuccess)) outcome
+        within10 (waitFor "begun")
+        signalProcess signal child
+        within10 (getProcessStatus True False child) `shouldReturn` Just (Terminated signal False)
+        readFile "p.png" `shouldReturn` "old"
+        sort <$> listDirectory "." `shouldReturn` ["begun", "p.png"]
     it "by Ctrl-C ends within two seconds, and leaves nothing" . inFolder $ do
       Text.writeFile "s.txt" (noisy 4000)
       child <- forked $ do
@@ -113,6 +154,54 @@ spec = do
       status <- timeout 2000000 (getProcessStatus True False child)
       status `shouldBe` Just (Just (Exited (ExitFailure 130)))
       sort <$> listDirectory "." `shouldReturn` ["begun", "s.txt"]
+
+  describe "what is printed" $ do
+    it "and finds no room is told with exit code 3, in one line" $
+      forM_ [(English, "standard output: no space is left\n"), (French, "sortie standard\xA0: il ne reste plus de place\n")] $ \(l, wanted) ->
+        withSystemTempDirectory "printed" $ \folder -> do
+          code' <- inProcess $ do
+            into "/dev/full" stdOutput
+            into (folder </> "err") stdError
+            withAllPrinted l (ExitSuccess <$ putStrLn "result") <* hFlush stderr
+          code' `shouldBe` Just (ExitFailure 3)
+          Text.readFile (folder </> "err") `shouldReturn` wanted
+    it "and finds room leaves the exit code as it is" $ do
+      (code', out, err) <- heard (withAllPrinted English (ExitFailure 1 <$ putStrLn "result"))
+      (code', out, err) `shouldBe` (ExitFailure 1, "result\n", "")
+    it "on standard error, and finds no room there, does not keep a command from its work" . inFolder $ do
+      Text.writeFile "s.txt" (noisy 4)
+      code' <- inProcess (into "/dev/full" stdError >> into "out" stdOutput >> withAllPrinted English (render' (ToFile "p.png")))
+      code' `shouldBe` Just ExitSuccess
+      Text.readFile "out" `shouldReturn` "p.png\n"
+
+  describe "processors" $
+    it "are never more than there are, and never more than 64" $
+      [workersAmong present wanted | present <- [1, 8, 1000], wanted <- [Nothing, Just 1, Just 3, Just 100000000]] `shouldBe` [1, 1, 1, 1, 8, 1, 3, 8, 64, 1, 3, 64]
+
+  describe "what never ends, or never begins" $ do
+    it "is refused as a picture to compare" . inFolder $ do
+      Text.writeFile "s.txt" (noisy 2)
+      createNamedPipe "p.png" 0o644
+      forM_ ["/dev/zero", "p.png"] $ \path -> do
+        outcome <- timeout 10000000 (heard (newJournal English True >>= \j -> compare j "s.txt" path))
+        ((\(code', out, err) -> (code', out, "a device or a pipe" `Text.isInfixOf` err)) <$> outcome) `shouldBe` Just (ExitFailure 3, "", True)
+    it "is no picture and no model of a scene" . inFolder $ do
+      createNamedPipe "p.png" 0o644
+      createNamedPipe "m.obj" 0o644
+      createSymbolicLink "/dev/zero" "q.png"
+      Text.writeFile "s.txt" "texture_material\nname a\ntexture_kd p.png\ntexture_ka q.png\nend\nmodel\nfile m.obj\nend\n"
+      outcome <- timeout 10000000 (heard (newJournal English True >>= \j -> check j AsText ["s.txt"]))
+      ((\(code', out, _) -> (code', length (Text.breakOnAll "[missing-file]" out))) <$> outcome) `shouldBe` Just (ExitFailure 1, 3)
+    it "is no configuration" . inFolder $ do
+      createNamedPipe "configuration.cfg" 0o644
+      outcome <- timeout 10000000 (heard runHere)
+      ((\(code', out, err) -> (code', out, "a device or a pipe" `Text.isInfixOf` err)) <$> outcome) `shouldBe` Just (ExitFailure 3, "", True)
+    it "is told as a scene to check; but a pipe that ends is a scene like any other" . inFolder $ do
+      (code', _, err) <- heard (newJournal English True >>= \j -> check j AsText ["/dev/zero"])
+      (code', "268435456 bytes" `Text.isInfixOf` err) `shouldBe` (ExitFailure 3, True)
+      createNamedPipe "s.txt" 0o644
+      ((code'', out, _), ()) <- concurrently (heard (newJournal English True >>= \j -> check j AsText ["s.txt"])) (bracket (openFileBlocking "s.txt" WriteMode) hClose (`Text.hPutStr` noisy 2))
+      (code'', out) `shouldBe` (ExitSuccess, "s.txt: no faults\n")
 
   describe "a configuration" $ do
     it "that vanishes during the run is told with exit code 3, and the picture is kept" . inFolder $ do
@@ -187,6 +276,8 @@ spec = do
     options output = Options "s.txt" output Nothing Nothing Nothing Nothing False
     runHere = newJournal English True >>= \j -> readConfiguration >>= run j
     quietly work = (\(result, _, _) -> result) <$> heard work
+    -- A standard stream goes there from now on, as after a redirection by a shell.
+    into path descriptor = withFile path AppendMode (\h -> hDuplicate h >>= handleToFd >>= void . (`dupTo` descriptor))
 
 -- | Scenes that are hard in one way each: what it is, the codes of what is told of it, and its lines.
 edges :: [(String, [Text], [Text])]

@@ -42,7 +42,7 @@ import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Dioptre.Explain.Story (Story)
 import Dioptre.Explain.Tell (tell)
-import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Whole (readPlain, readWhole)
 import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Load.Amount (ModelRead (..))
 import Dioptre.Load.Decoding (attempted)
@@ -110,7 +110,7 @@ loadSource l source = do
 
 -- | The picture in the file at a path, or why there is none, in words.
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)
-loadPicture l path = readWhole path >>= either (pure . Left . fileFault l) (fmap (first (undecodable l path)) . attempted decode)
+loadPicture l path = readPlain path >>= either (pure . Left . fileFault l) (fmap (first (undecodable l path)) . attempted decode)
 
 -- | The picture at a path: for a scene (a path that ends in @.txt@) the one that it draws, and its scene; otherwise the one in the file.
 drawnOrLoaded :: Language -> FilePath -> IO (Either Text (Picture, Maybe Loaded))

@@ -20,6 +20,7 @@ module Dioptre.Command.Journal
   )
 where
 
+import Control.Exception (catch, throwIO)
 import Control.Monad (forM_, when)
 import Data.Foldable (fold, toList)
 import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
@@ -32,6 +33,7 @@ import Dioptre.Source.Diagnostic (Diagnostic)
 import Dioptre.Source.Language (Language)
 import qualified Dioptre.Source.Report as Report
 import Dioptre.Source.Text (Source)
+import GHC.IO.Exception (IOErrorType (ResourceVanished), ioe_type)
 import Prettyprinter (Doc, LayoutOptions (..), PageWidth (..), hardline, layoutPretty, pretty, unAnnotate)
 import qualified Prettyprinter.Render.Terminal as Terminal
 import qualified Prettyprinter.Render.Text as Plain
@@ -56,11 +58,15 @@ newJournal l loud = Journal l loud <$> newIORef Seq.empty
 journalWith :: Language -> Bool -> Journal -> Journal
 journalWith l loud journal = journal {journalLanguage = l, speaks = loud}
 
--- | A message.
+-- | A message. Where standard error takes none, it is kept all the same, and the work goes on; but not where nobody reads any more.
 say :: Journal -> Doc Report.Style -> IO ()
 say journal doc = do
   modifyIORef' (kept journal) (|> Plain.renderStrict (layoutPretty layout (unAnnotate doc)))
-  when (speaks journal) (toConsole stderr doc)
+  when (speaks journal) (toConsole stderr doc `catch` unheard)
+  where
+    unheard e = case ioe_type e of
+      ResourceVanished -> throwIO e
+      _ -> pure ()
 
 -- | A message without any style.
 sayText :: Journal -> Text -> IO ()

@@ -13,6 +13,7 @@ module Dioptre.Command.Render
 where
 
 import Control.Exception (evaluate)
+import Data.Char (toLower)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -22,8 +23,8 @@ import Dioptre.Command.Trace (sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Identity (sameFile)
-import Dioptre.Files.Number (PictureNumber, writeNumbered)
-import Dioptre.Files.Whole (writeWhole)
+import Dioptre.Files.Number (PictureNumber, numberingObstacle, writeNumbered)
+import Dioptre.Files.Whole (writeWhole, writingObstacle)
 import Dioptre.Files.Wording (fileFault, numberingFault)
 import Dioptre.Load (Loaded (..), loadScene, loadedFiles)
 import Dioptre.Picture.Png (encode)
@@ -38,7 +39,7 @@ import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Message (message)
 import System.Directory (doesDirectoryExist)
 import System.Exit (ExitCode (..))
-import System.FilePath (takeDirectory)
+import System.FilePath (takeDirectory, takeExtension)
 
 -- | What to render, and how.
 data Options = Options
@@ -76,7 +77,7 @@ render journal options = do
         else case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
           Right (scene, planned) -> do
-            obstacle <- outputObstacle options (loadedFiles loaded)
+            obstacle <- outputObstacle options scene (loadedFiles loaded)
             case obstacle of
               Just fault -> ExitFailure (fst fault) <$ sayFault journal (snd fault l)
               Nothing -> drawn reading scene planned
@@ -89,6 +90,7 @@ render journal options = do
       case outcome of
         Left fault -> ExitFailure 3 <$ sayFault journal fault
         Right path -> do
+          mapM_ (sayText journal . misnomer l) (falseEnding options)
           sayCut journal tally
           sayText journal $
             Text.concat
@@ -133,22 +135,36 @@ resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportW
   where
     tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
 
--- | What would prevent the picture from being written, found before it is drawn; with the exit code that it deserves. Given the files that the scene reads, none of which is replaced,
+-- | What would prevent the picture of a scene from being written, found before it is drawn; with the exit code that it deserves. Given the files that the scene reads, none of which is replaced,
 -- by whatever path.
-outputObstacle :: Options -> [FilePath] -> IO (Maybe (Int, Language -> Text))
-outputObstacle options files = case optionOutput options of
-  Numbered _ -> pure Nothing
+outputObstacle :: Options -> Scene -> [FilePath] -> IO (Maybe (Int, Language -> Text))
+outputObstacle options scene files = case optionOutput options of
+  Numbered from -> fmap (\fault -> (3, (`numberingFault` fault))) <$> numberingObstacle "." (viewportImage (sceneViewport scene)) from
   ToFile path -> do
-    replaced <- sameFile path (scene : configurationFile : files)
+    replaced <- sameFile path (itself : configurationFile : files)
     let folder = takeDirectory path
     there <- doesDirectoryExist folder
-    pure $ case replaced of
-      Just file -> Just (2, \l -> inLanguage l "the picture would replace " "l'image remplacerait " <> what l file <> inLanguage l ": " "\xA0: " <> Text.pack file)
-      Nothing | there -> Nothing
-      Nothing -> Just (3, \l -> fileFault l (FileFault folder DoesNotExist))
+    case replaced of
+      Just file -> pure (Just (2, \l -> inLanguage l "the picture would replace " "l'image remplacerait " <> what l file <> inLanguage l ": " "\xA0: " <> Text.pack file))
+      Nothing
+        | there -> fmap (\fault -> (3, (`fileFault` fault))) <$> writingObstacle path
+        | otherwise -> pure (Just (3, \l -> fileFault l (FileFault folder DoesNotExist)))
   where
-    scene = optionScene options
+    itself = optionScene options
     what l file
-      | file == scene = inLanguage l "the scene" "la scène"
+      | file == itself = inLanguage l "the scene" "la scène"
       | file == configurationFile = inLanguage l "the configuration" "la configuration"
       | otherwise = inLanguage l "a file that the scene reads" "un fichier que la scène lit"
+
+-- | Where the picture goes, if the name says that it is a picture of another format than the one that is written.
+falseEnding :: Options -> Maybe FilePath
+falseEnding options = case optionOutput options of
+  ToFile path | map toLower (takeExtension path) `elem` others -> Just path
+  _ -> Nothing
+  where
+    others = [".avif", ".bmp", ".gif", ".jpeg", ".jpg", ".pdf", ".ppm", ".svg", ".tga", ".tif", ".tiff", ".webp"]
+
+misnomer :: Language -> FilePath -> Text
+misnomer l path =
+  inLanguage l "remark: " "remarque\xA0: " <> Text.pack path
+    <> inLanguage l " is a PNG in spite of its name: no other format is written" " est un PNG malgré son nom\xA0: aucun autre format n'est écrit"

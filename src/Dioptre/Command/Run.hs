@@ -34,9 +34,9 @@ import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
 import Dioptre.Files.Identity (sameFile)
-import Dioptre.Files.Number (PictureNumber, next, pictureNumber, writeNumbered)
+import Dioptre.Files.Number (PictureNumber, next, numberingObstacle, pictureNumber, writeNumbered)
 import Dioptre.Files.Search (search)
-import Dioptre.Files.Whole (readWhole, writeWhole)
+import Dioptre.Files.Whole (readPlain, writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
 import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedFiles, loadedPlan)
 import Dioptre.Picture (Difference (Equal), Picture, difference)
@@ -60,7 +60,7 @@ import System.IO (hFlush, stdout)
 
 -- | The configuration in the working directory, with its text and what there is to say of it; or why there is none.
 readConfiguration :: IO (Either FileFault (Source, Configuration, [Diagnostic]))
-readConfiguration = fmap (understood . decode configurationFile) <$> readWhole configurationFile
+readConfiguration = fmap (understood . decode configurationFile) <$> readPlain configurationFile
   where
     understood source = let (configuration, diagnostics) = checkConfiguration (parse source) in (source, configuration, diagnostics)
 
@@ -145,13 +145,17 @@ draw journal inputs configuration = withSource journal inputs configuration $ \(
   (reading, loaded) <- timed (loadSource l source)
   noteRead inputs (loadedFiles loaded)
   sayScene journal loaded (inLanguage l "; read in " "\xA0; lue en " <> seconds reading)
-  let planned = loadedPlan loaded
-  (indexing, size) <- timed (evaluate (planExtent planned))
-  sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
-  (tracing, (image, tally)) <- timed (traced journal planned)
-  leave journal inputs configuration (loadedScene loaded) image tracing tally
+  -- What would keep the picture from being written is found before it is drawn.
+  obstacle <- numberingObstacle "." (viewportImage (sceneViewport (loadedScene loaded))) (firstNumber configuration)
+  maybe (drawn loaded) (failed journal . numberingFault l) obstacle
   where
     l = journalLanguage journal
+    drawn loaded = do
+      let planned = loadedPlan loaded
+      (indexing, size) <- timed (evaluate (planExtent planned))
+      sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
+      (tracing, (image, tally)) <- timed (traced journal planned)
+      leave journal inputs configuration (loadedScene loaded) image tracing tally
 
 -- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. What it leaves is the first
 -- picture that is finished: of the scene as it was changed, if somebody changed it before. A picture that is too large for the page is drawn without it.
@@ -227,7 +231,7 @@ withSource journal inputs configuration act = do
       | otherwise =
         search "." "." name >>= \case
           Left fault -> pure (Left (searchFault l fault))
-          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readWhole path
+          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readPlain path
 
 -- | The number that the configuration wants the next picture to have.
 firstNumber :: Configuration -> PictureNumber
@@ -236,7 +240,7 @@ firstNumber = fromMaybe minBound . pictureNumber . configurationImageCount
 -- | Puts the next picture's number into the configuration, as it is now on the disk, and changes nothing else in it.
 count :: Journal -> PictureNumber -> IO ExitCode
 count journal following =
-  readWhole configurationFile
+  readPlain configurationFile
     >>= either (pure . Left) (writeWhole configurationFile . Lazy.fromStrict . replaceCounter following)
     >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
 
@@ -248,7 +252,7 @@ compareAll journal inputs configuration = do
     Left fault -> failed journal (searchFault l fault)
     Right path -> do
       noteRead inputs [path]
-      readWhole path >>= \bytes -> case decode path <$> bytes of
+      readPlain path >>= \bytes -> case decode path <$> bytes of
         Left fault -> failed journal (fileFault l fault)
         Right source -> do
           let (pairs, diagnostics) = checkComparisons (parse source)

@@ -9,7 +9,7 @@
 --
 -- > {"scene":"scene.txt", "column":0, "row":0, "width":500, "height":500,
 -- >  "algorithm":"blinn", "level":1, "sampling":1, "far":100,
--- >  "samples":[{"offset":[0,0], "colour":[r,g,b], "rays":1, "cut":false, "ray":RAY}],
+-- >  "samples":[{"offset":[0,0], "colour":[r,g,b], "rays":1, "cut":false, "ray":RAY}],      the first of many
 -- >  "colour":[r,g,b], "normalized":[r,g,b], "pixel":[r,g,b,a]}             bytes
 -- >
 -- > RAY        {"cause":"camera"|"reflection"|"refraction", "depth":1, "origin", "direction", "weight":[r,g,b], "index",

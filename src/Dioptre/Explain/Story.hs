@@ -83,8 +83,10 @@ data Story = Story
     storyShapes :: Int,
     -- | How many lights there are.
     storyLights :: Int,
-    -- | One for each ray through the pixel.
+    -- | One for each ray through the pixel, at least one; of many only the first ('Dioptre.Explain.Tell.mostKept').
     storySamples :: [Sample],
+    -- | Whether none of the rays through the pixel meets anything, also of those that are not kept.
+    storySeesNothing :: Bool,
     -- | The colour of the one sample, or the mean.
     storyColour :: Colour,
     -- | The same with no channel above 1.

@@ -11,11 +11,12 @@ module Dioptre.Explain.Tell
     -- * Limits
     mostListed,
     mostTried,
+    mostKept,
   )
 where
 
 import Data.List (foldl', sortOn)
-import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
+import Data.Maybe (fromMaybe, isNothing, listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Vector as Vector
 import Dioptre.Explain.Origin (Directory, Found (..), directory, find)
@@ -64,6 +65,10 @@ mostListed = 40
 mostTried :: Int
 mostTried = 200000
 
+-- | Of a pixel of many samples the first are kept, until they have this many rays together. The others are only counted in: a scene may ask for 2^31 samples, and nobody reads as many.
+mostKept :: Int
+mostKept = 4000
+
 -- | The story of the pixel at a column and a row of a scene's picture, counted from 0 at the top left; 'Nothing' outside of the picture. Given the pictures and models
 -- that the scene uses, and the names of the models' files by their numbers in the library.
 --
@@ -83,7 +88,8 @@ tell assets files library scene column row
           storyFar = far setting,
           storyShapes = worldSize (stageWorld (stageOf setting)),
           storyLights = Vector.length (stageSources (stageOf setting)),
-          storySamples = samples,
+          storySamples = kept,
+          storySeesNothing = seesNothing,
           storyColour = colour,
           storyNormalized = normalized (raytracerColourNormalization tracer) colour,
           storyPixel = pixelOf (raytracerColourNormalization tracer) colour
@@ -94,12 +100,23 @@ tell assets files library scene column row
     tracer = sceneRaytracer scene
     v = view (sceneCamera scene) (sceneViewport scene)
     setting = Setting (stage assets library scene) (viewFar v) (directory files library scene)
-    samples = [sampleOf setting (at k) (through (at k)) | k <- [0 .. raytracerSampling tracer - 1]]
+    cast = raytracerSampling tracer
+    sample k = sampleOf setting (at k) (through (at k))
+    kept = keptFrom 0 0
+    keptFrom k rays
+      | k < cast && rays < mostKept = let s = sample k in s : keptFrom (k + 1) (rays + sampleFollowed s)
+      | otherwise = []
     at = offset tracer (viewWidth v) column row
     through (dx, dy) = rayThrough v (fromIntegral column + dx) (fromIntegral row + dy)
-    colour = case samples of
-      [only] -> sampleColour only
-      _ -> scaled (1 / fromIntegral (raytracerSampling tracer)) (foldl' plus black (map sampleColour samples))
+    colour = case kept of
+      [only] | cast == 1 -> sampleColour only
+      _ -> scaled (1 / fromIntegral cast) total
+    -- What is not kept is let go as soon as it is added.
+    Totals total seesNothing = foldl' with (foldl' with (Totals black True) kept) (map sample [length kept .. cast - 1])
+    with (Totals c dark) s = Totals (plus c (sampleColour s)) (dark && isNothing (rayHit (sampleRay s)))
+
+-- | The sum of some samples' colours, and whether none of their rays meets anything.
+data Totals = Totals !Colour !Bool
 
 -- | The story of one ray through a pixel.
 sampleOf :: Setting -> (Double, Double) -> Ray -> Sample

@@ -11,7 +11,7 @@ module Dioptre.Explain.Wording
   )
 where
 
-import Data.Maybe (isJust, isNothing)
+import Data.Maybe (isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Explain.Phrase
@@ -32,15 +32,21 @@ storyText l name story =
     heading
       <> [""]
       <> concatMap (uncurry (sampleText l story several)) (zip [1 ..] (take samplesTold samples))
-      <> [ say "The other " "Les " <> number (length samples - samplesTold) <> say " rays of the pixel are told with --format json." " autres rayons du pixel sont racontés avec --format json."
-           | length samples > samplesTold
+      <> [ say "The other " "Les " <> number (cast - told) <> say " rays of the pixel are told with --format json." " autres rayons du pixel sont racontés avec --format json."
+           | cast > told && length samples == cast
          ]
-      <> ["" | length samples > samplesTold]
+      <> [ say "Of the other " "Des " <> number (cast - told) <> say " rays of the pixel the first " " autres rayons du pixel, les " <> number (length samples - told)
+             <> say " are told with --format json." " premiers sont racontés avec --format json."
+           | cast > length samples
+         ]
+      <> ["" | cast > told]
       <> colourText l story
   where
     say = inLanguage l
     samples = storySamples story
-    several = length samples > 1
+    told = length (take samplesTold samples)
+    cast = raysCast story
+    several = cast > 1
     (width, height) = storySize story
     tracer = storyRaytracer story
     heading =
@@ -52,7 +58,7 @@ storyText l name story =
           <> " pixels"
       ]
         <> [answer l story]
-        <> [ number (length samples) <> say " rays are cast through the pixel, whose colour is their mean." " rayons sont lancés à travers le pixel, dont la couleur est leur moyenne."
+        <> [ number cast <> say " rays are cast through the pixel, whose colour is their mean." " rayons sont lancés à travers le pixel, dont la couleur est leur moyenne."
              | several
            ]
         <> [ say "Light: " "Lumière\xA0: " <> algorithmName (raytracerAlgorithm tracer) <> ", recursive_level "
@@ -61,6 +67,10 @@ storyText l name story =
                <> "."
            ]
     isLit = or [isJust (hitShares hit) | s <- take 1 samples, Just hit <- [rayHit (sampleRay s)]]
+
+-- | How many rays are cast through the pixel; not all need be kept.
+raysCast :: Story -> Int
+raysCast = raytracerSampling . storyRaytracer
 
 -- | How many samples are told in full.
 samplesTold :: Int
@@ -78,9 +88,9 @@ raysAdded = 8
 -- | What the pixel shows, and if it is black, why.
 answer :: Language -> Story -> Text
 answer l story = case storySamples story of
-  [only] -> pixel <> say "; " "\xA0; " <> seenText only
-  samples
-    | all (isNothing . rayHit . sampleRay) samples -> pixel <> say "; none of its rays meets a shape." "; aucun de ses rayons ne rencontre de forme."
+  [only] | raysCast story == 1 -> pixel <> say "; " "\xA0; " <> seenText only
+  _
+    | storySeesNothing story -> pixel <> say "; none of its rays meets a shape." "; aucun de ses rayons ne rencontre de forme."
     | otherwise -> pixel <> "."
   where
     say = inLanguage l
@@ -110,7 +120,7 @@ answer l story = case storySamples story of
 -- | One ray through the pixel and what comes of it.
 sampleText :: Language -> Story -> Bool -> Int -> Sample -> [Text]
 sampleText l story several k sample =
-  [ say "THROUGH THE PIXEL AT " "À TRAVERS LE PIXEL EN " <> pair (sampleOffset sample) <> say ": RAY " "\xA0: RAYON " <> number k <> say " OF " " SUR " <> number (length (storySamples story))
+  [ say "THROUGH THE PIXEL AT " "À TRAVERS LE PIXEL EN " <> pair (sampleOffset sample) <> say ": RAY " "\xA0: RAYON " <> number k <> say " OF " " SUR " <> number (raysCast story)
     | several
   ]
     <> concatMap (uncurry (rayText l story)) (take raysTold rays)
@@ -282,6 +292,8 @@ colourText l story =
   where
     say = inLanguage l
     sums = case storySamples story of
+      _
+        | raysCast story > 1 -> [say "  mean of the rays  " "  moyenne des rayons  " <> colour (storyColour story)]
       [only]
         | rays <- numberedRays "1" (sampleRay only),
           length (take 2 rays) > 1,
@@ -289,8 +301,7 @@ colourText l story =
           ["  " <> say "ray " "rayon " <> name <> ": " <> colour (rayOwnColour r) <> " x " <> triple (rayWeight r) <> " = " <> colour (rayContribution r) | (name, r) <- take raysAdded bright]
             <> [say "  and " "  et " <> number (length bright - raysAdded) <> say " more" " de plus" | length bright > raysAdded]
             <> [say "  sum  " "  somme  " <> colour (storyColour story)]
-      [_] -> ["  " <> colour (storyColour story)]
-      _ -> [say "  mean of the rays  " "  moyenne des rayons  " <> colour (storyColour story)]
+      _ -> ["  " <> colour (storyColour story)]
     unchanged = channels (storyColour story) == channels (storyNormalized story)
     normalization = case raytracerColourNormalization (storyRaytracer story) of
       ClampChannel

@@ -30,7 +30,7 @@ import Control.Exception (try)
 import Data.Bifunctor (first)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Foreign.C.Error (Errno (..), eDQUOT, eISDIR, eNOSPC, eNOTDIR)
+import Foreign.C.Error (Errno (..), eDQUOT, eFBIG, eISDIR, eLOOP, eMFILE, eNFILE, eNOSPC, eNOTDIR)
 import GHC.IO.Exception (IOErrorType (InappropriateType), IOException (..))
 import System.IO.Error (isDoesNotExistError, isPermissionError)
 
@@ -52,8 +52,16 @@ data Reason
     IsAFolder
   | -- | A file stands where the path needs a folder, as in @scene.txt\/picture.png@.
     NotAFolder
-  | -- | No space is left on the device, or the user's share of it is used up.
+  | -- | No space is left on the device, the user's share of it is used up, or no file may be that long.
     DiskFull
+  | -- | The process has as many files open as it may have, or the whole system has.
+    TooManyOpen
+  | -- | Symbolic links that lead to one another.
+    LinksInACircle
+  | -- | A device or a pipe where only a file will do.
+    NotAPlainFile
+  | -- | More than this many bytes, the most that are read of it.
+    LongerThan Int
   | -- | Anything else, in the operating system's words (English).
     OtherReason Text
   deriving stock (Eq, Show)
@@ -70,7 +78,9 @@ orFault path action = first (FileFault path . reasonOf) <$> try action
 -- the run-time system itself, without a number.
 reasonOf :: IOException -> Reason
 reasonOf problem
-  | any numbered [eNOSPC, eDQUOT] = DiskFull
+  | any numbered [eNOSPC, eDQUOT, eFBIG] = DiskFull
+  | any numbered [eMFILE, eNFILE] = TooManyOpen
+  | numbered eLOOP = LinksInACircle
   | numbered eNOTDIR = NotAFolder
   | numbered eISDIR = IsAFolder
   | InappropriateType <- ioe_type problem = IsAFolder

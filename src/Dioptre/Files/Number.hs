@@ -1,4 +1,5 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE LambdaCase #-}
 
 -- |
 -- Module      : Dioptre.Files.Number
@@ -30,6 +31,7 @@ module Dioptre.Files.Number
 
     -- * Writing
     writeNumbered,
+    numberingObstacle,
     NumberingFault (..),
 
     -- * For tests
@@ -47,6 +49,7 @@ import qualified Data.Text as Text
 import Dioptre.Files.Descriptor (createExclusively)
 import Dioptre.Files.Fault (FileFault, orFault)
 import Dioptre.Files.Temporary (withTemporary)
+import System.Directory (doesPathExist)
 import System.FilePath (normalise, (</>))
 import System.IO.Error (isAlreadyExistsError)
 import System.Posix.Files (createLink, removeLink, rename)
@@ -117,6 +120,17 @@ writeNumbered ::
   FilePath -> Text -> PictureNumber -> Lazy.ByteString -> IO (Either NumberingFault (FilePath, PictureNumber))
 writeNumbered = writeNumberedBy createLink
 
+-- | What would prevent 'writeNumbered' from writing a picture, as far as can be known before there is one. Everything stays as it is.
+numberingObstacle :: FilePath -> Text -> PictureNumber -> IO (Maybe NumberingFault)
+numberingObstacle folder name first
+  | not (canName name) = pure (Just (UnusableName name))
+  | otherwise =
+    orFault (path first) (withTemporary folder Nothing Lazy.empty (const (pure ()))) >>= \case
+      Left fault -> pure (Just (NotWritten fault))
+      Right () -> maybe (Just (AllNumbersTaken folder name)) (const Nothing) <$> firstThat (fmap not . doesPathExist . path) (numbersFrom first)
+  where
+    path = numberedPath folder name
+
 -- | 'writeNumbered' with another way to make the second path a link to the file at the first. It must fail with
 -- 'isAlreadyExistsError' where the second is taken. After any other failure the number is claimed by exclusive
 -- creation instead: which numbers file systems answer with for \"no links here\" is a long list, and whatever is
@@ -129,15 +143,22 @@ writeNumberedBy ::
   Lazy.ByteString ->
   IO (Either NumberingFault (FilePath, PictureNumber))
 writeNumberedBy link folder name first bytes
-  | Text.any unusable name = pure (Left (UnusableName name))
+  | not (canName name) = pure (Left (UnusableName name))
   | otherwise = settled <$> orFault (path first) (withTemporary folder Nothing bytes settle)
   where
-    unusable c = c == '/' || c == '\\' || isControl c
-    path number = normalise (folder </> pictureFileName name number)
+    path = numberedPath folder name
     settle temporary = firstThat (claim link temporary . path) (numbersFrom first)
     settled (Left fault) = Left (NotWritten fault)
     settled (Right Nothing) = Left (AllNumbersTaken folder name)
     settled (Right (Just number)) = Right (path number, number)
+
+-- | Whether a picture can have this name, which then leaves neither its folder nor its line.
+canName :: Text -> Bool
+canName = not . Text.any (\c -> c == '/' || c == '\\' || isControl c)
+
+-- | The path of a picture in a folder.
+numberedPath :: FilePath -> Text -> PictureNumber -> FilePath
+numberedPath folder name number = normalise (folder </> pictureFileName name number)
 
 -- | Gives the temporary's contents this path, unless something has it; says whether it did.
 claim :: (FilePath -> FilePath -> IO ()) -> FilePath -> FilePath -> IO Bool

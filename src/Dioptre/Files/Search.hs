@@ -50,9 +50,9 @@ import Data.Text.Encoding (decodeLatin1, decodeUtf8')
 import Dioptre.Files.Identity (identity)
 import qualified GHC.Foreign as Foreign
 import GHC.IO.Encoding (getFileSystemEncoding)
-import System.Directory (canonicalizePath, doesFileExist, listDirectory)
+import System.Directory (canonicalizePath, listDirectory)
 import System.FilePath (isRelative, makeRelative, normalise, (</>))
-import System.Posix.Files (getSymbolicLinkStatus, isDirectory)
+import System.Posix.Files (getFileStatus, getSymbolicLinkStatus, isDirectory, isRegularFile)
 
 -- | Why a name leads to no file. The name is given as it was written.
 data SearchFault
@@ -129,7 +129,7 @@ look working name (Below top) = descend (0 :: Int) top
 among :: FilePath -> Text -> FilePath -> [FilePath] -> IO [FilePath]
 among working name folder entries = do
   named <- filterM (hasName name) entries
-  filterM (doesFileExist . (working </>)) (map (joined folder) named)
+  filterM (isFile . (working </>)) (map (joined folder) named)
 
 -- | How many folders below the working directory the search goes.
 deepest :: Int
@@ -138,6 +138,10 @@ deepest = 7
 -- | Whether the search stays out of folders of this name.
 isLeftOut :: FilePath -> Bool
 isLeftOut name = take 1 name == "." || name `elem` ["dist", "dist-newstyle", "node_modules"]
+
+-- | Whether this is a file, or a link to one; pipes and devices are none.
+isFile :: FilePath -> IO Bool
+isFile path = orElse False (isRegularFile <$> getFileStatus path)
 
 -- | Whether this is a folder itself, and not a link to one.
 isFolder :: FilePath -> IO Bool

@@ -21,20 +21,24 @@
 module Dioptre.Files.Whole
   ( -- * Writing
     writeWhole,
+    writingObstacle,
 
     -- * Reading
     readWhole,
+    readPlain,
+    mostOfFile,
+    mostOfStream,
   )
 where
 
 import Control.Exception (bracket, tryJust)
-import Control.Monad (guard)
+import Control.Monad (guard, join)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (traverse_)
 import Dioptre.Files.Descriptor (checkWritable, namedDescriptor)
-import Dioptre.Files.Fault (FileFault, orFault)
+import Dioptre.Files.Fault (FileFault (..), Reason (LongerThan, NotAPlainFile), orFault)
 import Dioptre.Files.Temporary (withTemporary)
 import Foreign.C.Error (Errno, eISDIR, eLOOP, errnoToIOError)
 import GHC.IO.Handle.FD (openFileBlocking)
@@ -42,7 +46,9 @@ import System.FilePath (takeDirectory, (</>))
 import System.IO (Handle, IOMode (ReadMode, WriteMode), hClose, hFlush, stdout)
 import System.IO.Error (isDoesNotExistError)
 import System.Posix.Files
-  ( fileMode,
+  ( FileStatus,
+    fileMode,
+    getFileStatus,
     getSymbolicLinkStatus,
     isDirectory,
     isRegularFile,
@@ -78,11 +84,55 @@ writeWhole path bytes =
     writeTo :: IO Handle -> IO ()
     writeTo open = bracket open hClose (`Lazy.hPut` bytes)
 
+-- | What would prevent 'writeWhole' from writing a file, as far as can be known before there is anything to write: the folder is not there or takes no new
+-- file, or the file may not be written. Everything stays as it is.
+writingObstacle :: FilePath -> IO (Maybe FileFault)
+writingObstacle path =
+  fmap (either Just (const Nothing)) . orFault path $ do
+    there <- destination path
+    case there of
+      Descriptor _ -> pure ()
+      Device _ -> pure ()
+      Folder -> refuse eISDIR path
+      File target mode -> do
+        traverse_ (const (checkWritable target)) mode
+        withTemporary (takeDirectory target) mode Lazy.empty (const (pure ()))
+
 -- | Reads a file to its end, at once: the file is closed when this returns. A folder is
--- 'Dioptre.Files.Fault.IsAFolder'; a named pipe is waited for.
+-- 'Dioptre.Files.Fault.IsAFolder'. A named pipe is waited for, and what comes from a pipe or a device, whose end nobody
+-- knows before, is read up to 'mostOfStream'; a file, up to 'mostOfFile'. What is longer is
+-- 'Dioptre.Files.Fault.LongerThan' that.
 readWhole :: FilePath -> IO (Either FileFault ByteString)
-readWhole path =
-  orFault path (bracket (openFileBlocking path ReadMode) hClose Bytes.hGetContents)
+readWhole path = readThat path $ \status -> Right (if isRegularFile status then mostOfFile else mostOfStream)
+
+-- | The same for a file that is named in another, where pipes and devices are refused: nobody can mean them there, and they might never end, or never begin.
+readPlain :: FilePath -> IO (Either FileFault ByteString)
+readPlain path = readThat path $ \status ->
+  if isRegularFile status || isDirectory status then Right mostOfFile else Left (FileFault path NotAPlainFile)
+
+-- | Reads what is at a path up to the number of bytes that its status allows.
+readThat :: FilePath -> (FileStatus -> Either FileFault Int) -> IO (Either FileFault ByteString)
+readThat path allowed =
+  fmap join . orFault path $
+    getFileStatus path >>= either (pure . Left) upTo . allowed
+  where
+    upTo most = bracket (openFileBlocking path ReadMode) hClose (pieces most 0 [])
+    pieces most size before handle = do
+      piece <- Bytes.hGetSome handle 262144
+      let size' = size + Bytes.length piece
+      case () of
+        _
+          | Bytes.null piece -> pure (Right (Bytes.concat (reverse before)))
+          | size' > most -> pure (Left (FileFault path (LongerThan most)))
+          | otherwise -> pieces most size' (piece : before) handle
+
+-- | The most bytes that are read of a file, 2^30: more than any picture, model or scene that can be used.
+mostOfFile :: Int
+mostOfFile = 1073741824
+
+-- | The most bytes that are read from a pipe or a device, 2^28.
+mostOfStream :: Int
+mostOfStream = 268435456
 
 -- | What stands at a path, symbolic links followed.
 data Destination

@@ -32,6 +32,10 @@ fileFault l (FileFault path reason) = Text.pack path <> inLanguage l ": " "\xA0:
       IsAFolder -> say "this is a folder" "c'est un dossier"
       NotAFolder -> say "a part of this path is a file, not a folder" "une partie de ce chemin est un fichier, pas un dossier"
       DiskFull -> say "no space is left" "il ne reste plus de place"
+      TooManyOpen -> say "too many files are open" "trop de fichiers sont ouverts"
+      LinksInACircle -> say "this is a link that leads back to itself, or through too many others" "c'est un lien qui ramène à lui-même, ou qui passe par trop d'autres"
+      NotAPlainFile -> say "this is a device or a pipe, and only a file can be read here" "c'est un périphérique ou un tube, et seul un fichier peut être lu ici"
+      LongerThan n -> say "this is longer than the " "c'est plus long que les " <> Text.pack (show n) <> say " bytes that are read at most" " octets qui sont lus au plus"
       OtherReason t -> t
     say = inLanguage l
 

@@ -47,7 +47,7 @@ import Data.Vector (Vector)
 import qualified Data.Vector as Vector
 import Dioptre.Files.Fault (FileFault)
 import Dioptre.Files.Pieces (readPieces)
-import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Whole (readPlain)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Geometry.Mesh (meshSize)
 import Dioptre.Light.Finish (Finish, hasPictures, withPictures)
@@ -257,7 +257,7 @@ amountIn file amount = do
 
 -- | A file's bytes, all of them.
 whole :: Language -> FilePath -> Loading (Either FileTrouble ByteString)
-whole l path = liftIO (readable l <$> readWhole path)
+whole l path = liftIO (readable l <$> readPlain path)
 
 -- | What is in an OBJ file, of which a piece at a time is in memory.
 streamed :: Language -> FilePath -> Loading (Either FileTrouble Obj)

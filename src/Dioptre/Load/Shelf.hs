@@ -40,7 +40,7 @@ import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import Dioptre.Files.Search (Place (..), SearchFault (..), search)
 import Dioptre.Files.Stamp (Stamp, stampOf)
-import Dioptre.Files.Whole (readWhole)
+import Dioptre.Files.Whole (readPlain)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Load.Amount (ModelRead)
 import Dioptre.Load.Decoding (attempted)
@@ -151,7 +151,7 @@ loadPictures l folder wanted = do
 loadTexture :: Language -> Found -> Loading (Either FileTrouble Picture)
 loadTexture l found =
   once shelfPictures (\m shelf -> shelf {shelfPictures = m}) (foundFile found) . liftIO $
-    readWhole path >>= \case
+    readPlain path >>= \case
       Left fault -> pure (Left (Unreadable (fileFault l fault)))
       Right bytes -> first Unreadable <$> attempted (decodeTexture path) bytes
   where

@@ -57,6 +57,13 @@ spec = do
       (code, out, _) <- heard (render' plainOptions {optionOutput = ToFile "p.png"})
       (code, out) `shouldBe` (ExitSuccess, "p.png\n")
       Bytes.readFile "p.png" >>= (`shouldBe` "\x89PNG") . Bytes.take 4
+    it "says that a picture is a PNG where its name says otherwise" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      (code, out, err) <- heard (render' plainOptions {optionOutput = ToFile "p.jpg"})
+      (code, out) `shouldBe` (ExitSuccess, "p.jpg\n")
+      err `shouldContainText` "remark: p.jpg is a PNG in spite of its name"
+      (_, _, err') <- heard (render' plainOptions {optionOutput = ToFile "p.PNG"})
+      ("PNG" `Text.isInfixOf` err') `shouldBe` False
     it "refuses to replace the scene by its picture" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       (code, _, _) <- heard (render' plainOptions {optionOutput = ToFile "./s.txt"})

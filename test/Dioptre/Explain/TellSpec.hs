@@ -5,9 +5,11 @@
 -- Description : Stories tell what the renderer does
 module Dioptre.Explain.TellSpec (spec) where
 
+import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Dioptre.Explain.Story
-import Dioptre.Explain.Tell (tell)
+import Dioptre.Explain.Tell (mostKept, tell)
+import Dioptre.Explain.Wording (storyText)
 import Dioptre.Geometry.Cube (cube)
 import Dioptre.Geometry.Shape (Shape (ACube))
 import Dioptre.Light.Finish (finish, withPictures)
@@ -17,6 +19,7 @@ import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..), noModels)
 import Dioptre.Render.Row (Sampled (..), Work (..), colourAt, plan)
 import Dioptre.Scene.Raytracer (mostRays)
+import Dioptre.Source.Language (Language (English))
 import Laws.Shade (sceneOf)
 import Laws.Story
 import Test.Hspec
@@ -49,7 +52,17 @@ spec = do
     let Sampled colour (Work _ _ cut) = colourAt (plan mempty noModels mirrors) 0 0
     (sampleFollowed (firstOf story), sampleCut (firstOf story), cut) `shouldBe` (mostRays, True, 1)
     storyColour story `shouldBe` colour
+  it "keeps the first of many samples, and counts all of them in" $ do
+    let many = sceneOf (view <> ["raytracer", "sampling 5000", "pixel_coordinate random", "end"] <> ball)
+        Sampled colour _ = colourAt (plan mempty noModels many) 0 0
+    story <- storyOf noModels many
+    length (storySamples story) `shouldBe` mostKept
+    (storyColour story, storySeesNothing story) `shouldBe` (colour, False)
+    let text = storyText English "s" story
+    text `shouldSatisfy` Text.isInfixOf "5000 rays are cast through the pixel"
+    text `shouldSatisfy` Text.isInfixOf "Of the other 4998 rays of the pixel the first 3998 are told with --format json."
   where
+    ball = ["primitive", "material_name m", "sphere", "position 0 0 0", "ray 1", "end", "end", "material", "name m", "end"]
     storyOf library scene = maybe (fail "no story") pure (tell mempty [] library scene 0 0)
     firstOf story = case storySamples story of
       s : _ -> s

@@ -22,14 +22,18 @@ spec = do
         (eISDIR, IsAFolder),
         (eNOTDIR, NotAFolder),
         (eNOSPC, DiskFull),
-        (eDQUOT, DiskFull)
+        (eDQUOT, DiskFull),
+        (eFBIG, DiskFull),
+        (eMFILE, TooManyOpen),
+        (eNFILE, TooManyOpen),
+        (eLOOP, LinksInACircle)
       ]
       $ \(number@(Errno value), reason) ->
         it ("reads error number " <> show value <> " as " <> show reason) $
           reasonOf (refusal number) `shouldBe` reason
 
     it "does not take other shortages for a full disk" $
-      forM_ [eMFILE, eNOMEM] $ \number ->
+      forM_ [eBUSY, eNOMEM] $ \number ->
         reasonOf (refusal number) `shouldSatisfy` isOther
 
     it "always has a text for what is not on the list" $

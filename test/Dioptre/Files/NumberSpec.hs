@@ -118,11 +118,13 @@ writing write = around (withSystemTempDirectory "number") $ do
     forM_ (numbersFrom minBound) $ \number -> writeFile (folder </> pictureFileName name number) "old"
     write folder name maxBound (Lazy.pack "new") `shouldReturn` Left (AllNumbersTaken folder name)
     length <$> listDirectory folder `shouldReturn` 1000
+    numberingObstacle folder name maxBound `shouldReturn` Just (AllNumbersTaken folder name)
 
   it "says so when the folder is missing" $ \folder -> do
     let none = folder </> "none"
     write none name minBound Lazy.empty
       `shouldReturn` Left (NotWritten (FileFault (none </> "p_000.png") DoesNotExist))
+    numberingObstacle none name minBound `shouldReturn` Just (NotWritten (FileFault (none </> "p_000.png") DoesNotExist))
 
   it "says so when the name is too long, and leaves nothing" $ \folder -> do
     result <- write folder (Text.replicate 250 (Text.pack "p")) minBound Lazy.empty
@@ -134,6 +136,7 @@ writing write = around (withSystemTempDirectory "number") $ do
     forM_ ["a/b", "../a", "/a", "a\\b", "a\nb", "a\0b"] $ \bad -> do
       let badName = Text.pack bad
       write folder badName minBound Lazy.empty `shouldReturn` Left (UnusableName badName)
+      numberingObstacle folder badName minBound `shouldReturn` Just (UnusableName badName)
       listDirectory folder `shouldReturn` []
   where
     head' numbersLeft = case numbersLeft of

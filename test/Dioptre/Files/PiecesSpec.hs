@@ -27,3 +27,4 @@ spec = around (withSystemTempDirectory "pieces") . describe "readPieces" $ do
   it "tells what is the matter with a file" $ \folder -> do
     readPieces (folder </> "none") (const (pure ())) `shouldReturn` Left (FileFault (folder </> "none") DoesNotExist)
     readPieces folder (const (pure ())) `shouldReturn` Left (FileFault folder IsAFolder)
+    readPieces "/dev/zero" (const (pure ())) `shouldReturn` Left (FileFault "/dev/zero" NotAPlainFile)

@@ -21,7 +21,7 @@ import System.Directory
   )
 import System.FilePath (isRelative, takeDirectory, takeFileName, (</>))
 import System.IO.Temp (withSystemTempDirectory)
-import System.Posix.Files (createLink, setFileMode)
+import System.Posix.Files (createLink, createNamedPipe, createSymbolicLink, setFileMode)
 import qualified System.Posix.Files.ByteString as Raw
 import System.Posix.User (getEffectiveUserID, setEffectiveUserID)
 import Test.Hspec
@@ -108,6 +108,11 @@ spec = do
         find working "." "boule.obj" `shouldReturn` nowhere "boule.obj"
         find working "." "soleil.obj" `shouldReturn` nowhere "soleil.obj"
         find working "." "satellite.obj" `shouldReturn` Right "satellite.obj"
+
+    it "passes over pipes and devices, which never end or never begin" $ \working -> do
+      createNamedPipe (working </> "boule.obj") 0o644
+      createSymbolicLink "/dev/zero" (working </> "lune.obj")
+      forM_ ["boule.obj", "lune.obj"] $ \name -> find working "." name `shouldReturn` nowhere name
 
     describe "several files" $ do
       it "is a fault that lists them" $ \working -> do

@@ -28,6 +28,7 @@ import System.Posix.Files
     intersectFileModes,
     setFileCreationMask,
     setFileMode,
+    setFileSize,
   )
 import System.Posix.IO (closeFd, fdWrite, handleToFd)
 import System.Posix.Types (FileMode)
@@ -122,7 +123,7 @@ spec = around (withSystemTempDirectory "whole") $ do
       it "refuses those that go in a circle" $ \folder -> do
         createFileLink "b" (folder </> "a")
         createFileLink "a" (folder </> "b")
-        writeWhole (folder </> "a") Lazy.empty >>= (`shouldSatisfy` isOther)
+        writeWhole (folder </> "a") Lazy.empty `shouldReturn` Left (FileFault (folder </> "a") LinksInACircle)
 
     describe "devices" $ do
       it "writes into them" $ \_ -> do
@@ -189,6 +190,15 @@ spec = around (withSystemTempDirectory "whole") $ do
     it "reads devices" $ \_ ->
       readWhole "/dev/null" `shouldReturn` Right Bytes.empty
 
+    it "reads no more than there is room for from what never ends" $ \_ ->
+      readWhole "/dev/zero" `shouldReturn` Left (FileFault "/dev/zero" (LongerThan mostOfStream))
+
+    it "reads no more than there is room for of a file" $ \folder -> do
+      -- A file that takes no room on the disk.
+      writeFile (folder </> "file") ""
+      setFileSize (folder </> "file") (fromIntegral mostOfFile + 1)
+      readWhole (folder </> "file") `shouldReturn` Left (FileFault (folder </> "file") (LongerThan mostOfFile))
+
     it "names a file that is missing, and a folder" $ \folder -> do
       readWhole (folder </> "none") `shouldReturn` Left (FileFault (folder </> "none") DoesNotExist)
       readWhole folder `shouldReturn` Left (FileFault folder IsAFolder)
@@ -199,9 +209,38 @@ spec = around (withSystemTempDirectory "whole") $ do
       setFileMode folder 0o755
       unprivileged $
         readWhole (folder </> "file") `shouldReturn` Left (FileFault (folder </> "file") PermissionDenied)
-  where
-    isOther (Left (FileFault _ (OtherReason _))) = True
-    isOther _ = False
+
+  describe "readPlain" $ do
+    it "reads files as readWhole does" $ \folder -> do
+      Bytes.writeFile (folder </> "file") (Char8.pack "old")
+      readPlain (folder </> "file") `shouldReturn` Right (Char8.pack "old")
+      readPlain (folder </> "none") `shouldReturn` Left (FileFault (folder </> "none") DoesNotExist)
+      readPlain folder `shouldReturn` Left (FileFault folder IsAFolder)
+
+    it "refuses pipes and devices, and does not wait for them" $ \folder -> do
+      createNamedPipe (folder </> "pipe") 0o644
+      readPlain (folder </> "pipe") `shouldReturn` Left (FileFault (folder </> "pipe") NotAPlainFile)
+      readPlain "/dev/zero" `shouldReturn` Left (FileFault "/dev/zero" NotAPlainFile)
+
+  describe "writingObstacle" $ do
+    it "finds nothing where a file can be written, and leaves all as it is" $ \folder -> do
+      writeFile (folder </> "file") "old"
+      forM_ ["file", "new"] $ \name -> writingObstacle (folder </> name) `shouldReturn` Nothing
+      writingObstacle "/dev/null" `shouldReturn` Nothing
+      readFile (folder </> "file") `shouldReturn` "old"
+      listDirectory folder `shouldReturn` ["file"]
+
+    it "finds what writeWhole would fail of" $ \folder -> do
+      writeFile (folder </> "file") "old"
+      setFileMode (folder </> "file") 0o444
+      createDirectory (folder </> "closed")
+      setFileMode (folder </> "closed") 0o555
+      setFileMode folder 0o777
+      unprivileged . forM_ ["file", "closed/new", "none/new", "closed", "file/new"] $ \name -> do
+        obstacle <- writingObstacle (folder </> name)
+        outcome <- writeWhole (folder </> name) Lazy.empty
+        outcome `shouldNotBe` Right ()
+        Just outcome `shouldBe` (Left <$> obstacle)
 
 -- | Bytes in pieces, from none to more than any buffer holds.
 contents :: Gen Lazy.ByteString
