@@ -38,6 +38,7 @@ module Dioptre.Geometry.Uv
   )
 where
 
+import Dioptre.Geometry.Cone (isFlatCone)
 import Dioptre.Geometry.Tube (across)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongX, alongY, alongZ, cross, dot, modulus, opposite, unit, vector, (*^))
 import Linear.V2 (V2 (..))
@@ -112,11 +113,14 @@ cylinderUv p1 s h radius n v
   | otherwise = sideUv p1 s h v
 
 -- | On a cone, at a point with a given outward normal: the base, if the normal is the base's, is a disk with that normal; the rest, with the apex, is
--- the side.
+-- the side. The height on a flat cone ('isFlatCone') may be less than the rounding of a position; there v is the same as the distance from the axis, in units of R.
 coneUv :: Point -> Unit -> Double -> Double -> Unit -> Point -> V2 Double
 coneUv p1 s h radius n v
   | n == opposite s = diskUv p1 n radius v
+  | isFlatCone h radius = V2 (turn s w) (min 1 (modulus (across s w) / radius))
   | otherwise = sideUv p1 s h v
+  where
+    w = v - p1
 
 -- | On the face with a given outward normal of the cube around C with half size h: as on a disk of radius h around the middle of the face.
 cubeUv :: Point -> Double -> Unit -> Point -> V2 Double

@@ -38,6 +38,7 @@ spec = do
       map (sideUv 0 alongZ 4) [V3 1 0 0, V3 0 1 4, V3 0 (-1) 1] `shouldBe` [V2 0.5 1, V2 0.75 0, V2 0.25 0.75]
     it "have a torus' angles" $
       map (torusUv 0 alongZ 2) [V3 3 0 0, V3 0 2 1, V3 0 (-2) (-1)] `shouldBe` [V2 0.5 0.5, V2 0.75 0.25, V2 0.25 0.75]
+    it "have a flat cone's distances from its axis" $ map (coneUv 0 alongZ 1e-20 2 alongZ) [V3 1 0 0, V3 2.5 0 0, V3 0 2 1e-16] `shouldBe` [V2 0.5 0.5, V2 0.5 1, V2 0.75 1]
     prop "keep longitude and latitude on a sphere" sphereKeepsAngles
     prop "keep angle and height on a side" sideKeepsAngles
     prop "keep both angles on a torus" torusKeepsAngles
