@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shapes so thin that binary64 hardly knows their height, or does not: flat cones and caps.
+"""Shapes so thin that binary64 hardly knows their height, or does not: flat cones and caps, a cylinder shorter than there are numbers for.
 
 Expected hits come from `solids`, in decimals of 60 digits; each ray passes the rim, or the change from one way of computing to the other, at a distance that rounding does not bridge.
 """
@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 
 import solids  # noqa: E402
 import suite  # noqa: E402
-from suite import DECIMAL, case  # noqa: E402
+from suite import DECIMAL, HAND, case  # noqa: E402
 
 # These cases come after those of the other generators, whose numbers they leave alone.
 LAST = True
@@ -105,8 +105,19 @@ def caps():
     return thin("geometry.cap.parameters", "spherical_cap", "cancellation flat", shapes)
 
 
+def short():
+    """The slab is one parameter, 3, which is that of the side, too; the height there is a rest of rounding, 10^293 times the cylinder's."""
+    made = []
+    for h in (1e-310, 5e-324, 1e-200):
+        shape = {"kind": "cylinder", "point": [[0, 0, 0], [0, h, 0]], "ray": 1}
+        ray = {"origin": [4, 0.3828000000000001, 0], "direction": [-1, -0.12760000000000002, 0]}
+        hit = {"t": 3.0, "point": [1.0, 0.3828000000000001 + 3 * -0.12760000000000002, 0.0], "normal": [1, 0, 0], "uv": [0.5, 0]}
+        made.append(case("geometry.tube.uv geometry.hit.finite", f"The rim of a cylinder of length {h:g}", "infinity clamp", {"geometry": shape, "ray": ray}, hit, "exact", HAND))
+    return made
+
+
 def operations():
-    return {"geometry.hit": cones() + caps()}
+    return {"geometry.hit": cones() + caps() + short()}
 
 
 if __name__ == "__main__":
