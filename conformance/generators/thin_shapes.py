@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shapes so thin that binary64 hardly knows their height, or does not: flat cones and caps, a cylinder shorter than there are numbers for.
+"""Shapes so thin that binary64 hardly knows their height, or does not: flat cones and caps, a cylinder shorter than there are numbers for; and light that falls straight from an index far above the other.
 
 Expected hits come from `solids`, in decimals of 60 digits; each ray passes the rim, or the change from one way of computing to the other, at a distance that rounding does not bridge.
 """
@@ -116,8 +116,16 @@ def short():
     return made
 
 
+def refractions():
+    made = []
+    for n1, n2 in ((1e200, 1), (1, 1e-200), (1e9, 1), (1e30, 1e-30), (67108865.0, 1)):
+        for v, n in (([0, 0, -1], [0, 0, 1]), ([0, 0.6, -0.8], [0, -0.6, 0.8]), ([0.48, -0.6, 0.64], [-0.48, 0.6, -0.64])):
+            made.append(case("optics.refract.straight", f"Straight on, from {n1:g} to {n2:g}", "nan zero cancellation", {"direction": v, "normal": n, "n1": n1, "n2": n2}, v, "abs:1e-15", HAND))
+    return made
+
+
 def operations():
-    return {"geometry.hit": cones() + caps() + short()}
+    return {"geometry.hit": cones() + caps() + short(), "optics.refract": refractions()}
 
 
 if __name__ == "__main__":
