@@ -51,6 +51,7 @@ import qualified Dioptre.Geometry.PlaneSpec
 import qualified Dioptre.Geometry.PreparedMeshSpec
 import qualified Dioptre.Geometry.PreparedSpec
 import qualified Dioptre.Geometry.SphereSpec
+import qualified Dioptre.Geometry.ThinSpec
 import qualified Dioptre.Geometry.TorusSpec
 import qualified Dioptre.Geometry.TriangleSpec
 import qualified Dioptre.Geometry.TubeSpec
@@ -188,6 +189,7 @@ specs = do
   describe "Dioptre.Geometry.PreparedMesh" Dioptre.Geometry.PreparedMeshSpec.spec
   describe "Dioptre.Geometry.Prepared" Dioptre.Geometry.PreparedSpec.spec
   describe "Dioptre.Geometry.Sphere" Dioptre.Geometry.SphereSpec.spec
+  describe "Dioptre.Geometry.Thin" Dioptre.Geometry.ThinSpec.spec
   describe "Dioptre.Geometry.Torus" Dioptre.Geometry.TorusSpec.spec
   describe "Dioptre.Geometry.Triangle" Dioptre.Geometry.TriangleSpec.spec
   describe "Dioptre.Geometry.Tube" Dioptre.Geometry.TubeSpec.spec

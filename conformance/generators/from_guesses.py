@@ -240,9 +240,13 @@ def texts():
     tube = lambda *points: ["primitive", "  material_name none", "  tube", *("    point " + p for p in points), "  end", "end", "material", "end"]
     one("code.same-point object.several", "The first end was refused: its default counts", "defaults", tube("x 0 0", "0 0 0"), ("not-a-number", 4, 11), ("same-point", 5, 11))
     one("code.same-point", "-0 equals 0", "negative-zero", tube("2 -0 1", "2 0 1"), ("same-point", 5, 11))
-    one("code.up-along-front", "The front of an aperture counts as it is given: long", "made-unit", ["rectangular_aperture_light", "  front 0 0 2", "  up    0 6e-11 1", "end"])
-    one("code.up-along-front", "The front of an aperture counts as it is given: short", "made-unit", ["rectangular_aperture_light", "  front 0 0 1e-3", "  up    0 1e-8 0", "end"], ("up-along-front", 1, 1))
+    one("code.up-along-front", "The front of an aperture is made unit first: long", "made-unit", ["rectangular_aperture_light", "  front 0 0 2", "  up    0 6e-11 1", "end"], ("up-along-front", 1, 1))
+    one("code.up-along-front", "Front and up of an aperture are made unit first: short", "made-unit", ["rectangular_aperture_light", "  front 0 0 1e-3", "  up    0 1e-8 0", "end"])
     one("code.up-along-front", "The front of a camera is made unit first", "made-unit", ["camera", "  look_at 0 0 2", "  up      0 6e-11 1", "end"], ("up-along-front", 1, 1))
+    one("code.up-along-front", "The up of a camera is made unit before it is measured: along the front, and long", "made-unit rounding", ["camera", "  look_at 0.1 0.2 0.3", "  up      1e30 2e30 3e30", "end"], ("up-along-front", 1, 1))
+    one("code.up-along-front", "The up of a camera is made unit before it is measured: nearly along the front, and long", "made-unit", ["camera", "  look_at 0 0 2", "  up      0 1 2e10", "end"], ("up-along-front", 1, 1))
+    one("code.up-along-front", "The up of an aperture is made unit before it is measured: along the front, and long", "made-unit rounding", ["elliptical_aperture_light", "  front 0.1 0.2 0.3", "  up    1e30 2e30 3e30", "end"], ("up-along-front", 1, 1))
+    one("code.up-along-front camera.up", "An up shorter than 1e-10 is none", "epsilon", ["camera", "  up 0 0.9e-10 0", "end"], ("up-along-front", 1, 1))
     one("form.colour", "Two tokens are a name and alpha", "count", ["material", "  color 0.5 0.5", "end"], ("unknown-choice", 2, 9))
     one("form.choice", "-0 is 0", "negative-zero", ["raytracer", "  reflexion_algorithm -0", "  reflexion_algorithm 0.0", "end"], ("unknown-choice", 3, 23))
     return made

@@ -82,7 +82,7 @@ def _camera(v):
     if _short(look):
         return "nowhere-to-look"
     front = V.unit(look)
-    if _short(V.cross(V.cross(front, v["up"]), front)):
+    if _short(v["up"]) or _short(V.cross(V.cross(front, V.unit(v["up"])), front)):
         return "up-along-front"
     if v["far_clipping_plane"] < v["near_clipping_plane"]:
         return "far-before-near"
@@ -130,7 +130,9 @@ def _planar(v):
     nx, ny = grid(v["width"], v["height"], v["nb_oscillator"])
     if nx * ny > 1000000:
         return "too-many-oscillators"
-    if _short(v["front"]) or _short(V.cross(v["front"], v["up"])):
+    if _short(v["front"]) or _short(v["up"]):
+        return "up-along-front"
+    if _short(V.cross(V.unit(v["front"]), V.unit(v["up"]))):
         return "up-along-front"
     return None
 

@@ -18,7 +18,7 @@ def reflect(v, n):
 def refract(v, n, n1, n2):
     """The refracted direction of the unit v, N against it, or None on total reflection.
 
-    Keeps optics.refract, optics.refract.equal and optics.refract.total.
+    Keeps optics.refract, optics.refract.straight, optics.refract.equal and optics.refract.total.
     """
     if n1 == n2:
         return v
@@ -26,6 +26,8 @@ def refract(v, n, n1, n2):
     if c * c + (n2 / n1) * (n2 / n1) < 1:
         return None
     r = n1 / n2
+    if 1 - c * c <= 0 and r > 67108864:
+        return v
     inner = 1 - r * r * (1 - c * c)
     root = math.sqrt(inner) if inner > 0 else 0.0
     return V.add(V.scale(r, v), V.scale(r * c - root, n))

@@ -182,21 +182,19 @@ tube w centre s radius equation = quadratic TheTube ("<d', d'>", "2 <w', d'>", "
       ]
 
 coneConditions :: Point -> Unit -> Double -> Double -> Ray -> Told
-coneConditions p1 s h radius r = Told (Just (t0, 1)) [(side, unmeasured (rootsOf equation)) `countedFrom` t0, ends `countedFrom` t0]
+coneConditions p1 s h radius r = case coneLine p1 s h radius r of
+  FromNearest t0 equation a da ->
+    let side = quadratic TheDoubleCone ("<d', d'> - (k b)^2", "2 (<w', d'> - k^2 a b)", "<w', w'> - (k a)^2") equation letters 0
+        letters = ["w = o + t0 d - P2", "a = <w, S>", "b = <d, S>", "w' = w - a S", "d' = d - b S", "k = R / H" `is` real (radius / h)] <> places
+     in Told (Just (t0, 1)) [(side, unmeasured (rootsOf equation)) `countedFrom` t0, within TheEnds "<d, S>" da "<w, S>" a (negate h) 0 `countedFrom` t0]
+  -- Met in units of q = H / R, and told in the ray's own: the equation is q^2 times as small, and its letters are the same.
+  FromApexPlane t0 q equation@(Quadratic a b c) da ->
+    let side = (quadratic TheDoubleCone ("q^2 <d', d'> - b^2", "2 q^2 <w', d'>", "q^2 <w', w'>") (Quadratic a (q * b) (q * q * c)) letters 0, [(q * x, OtherConditions) | x <- rootsOf equation])
+        letters = ["w = o + t0 d - P2", "b = <d, S>", "w' = w - <w, S> S", "d' = d - b S", "q = H / R" `is` real q] <> places
+        ends = [(q * (end / da), OtherConditions) | end <- [negate radius, 0]]
+     in Told (Just (t0, 1)) [side `countedFrom` t0, (fst (within TheEnds "<d, S>" da "<w, S>" 0 (negate h) 0), ends) `countedFrom` t0]
   where
-    ConeLine t0 equation a da = coneLine p1 s h radius r
-    side = quadratic TheDoubleCone ("<d', d'> - (k b)^2", "2 (<w', d'> - k^2 a b)", "<w', w'> - (k a)^2") equation letters 0
-    ends = within TheEnds "<d, S>" da "<w, S>" a (negate h) 0
-    letters =
-      [ "w = o + t0 d - P2",
-        "a = <w, S>",
-        "b = <d, S>",
-        "w' = w - a S",
-        "d' = d - b S",
-        "k = R / H" `is` real (radius / h),
-        "S" `is` vec (vector s),
-        "P2" `is` vec (p1 + h *^ vector s)
-      ]
+    places = ["S" `is` vec (vector s), "P2" `is` vec (p1 + h *^ vector s)]
 
 lensConditions :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Told
 lensConditions p1 s l radius c1 c2 r = Told (Just (t0, 1)) [(side, unmeasured (rootsOf bar)) `countedFrom` t0, face TheStartFace start, face TheEndFace end]

@@ -42,8 +42,9 @@ import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Disk (Disk, diskRadius)
 import Dioptre.Geometry.Quadratic (Quadratic (..), rootsOf)
 import Dioptre.Geometry.Ray (Ray, direction, nextTo, origin)
+import Dioptre.Geometry.Tube (across)
 import Dioptre.Math.Order (infinity)
-import Dioptre.Math.Vector (Point, Unit, Vector, dot, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, Unit, Vector, dot, quadrance, unit, vector, (*^))
 
 -- | The curved cap of a sphere over a disk, without the disk.
 data Cap = Cap
@@ -93,9 +94,14 @@ beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
 -- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
 capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 capParameters centre normal radius c r =
-  [t0 + t | abs t0 < infinity, t <- rootsOf (sphereOver n radius (centreDepth radius c) p d), signum c * dot (p + t *^ d) n >= 0]
+  [t0 + t | abs t0 < infinity, t <- rootsOf (sphereOver n radius m p d), isOver (p + t *^ d)]
   where
     n = vector normal
+    m = centreDepth radius c
+    -- On the cap's side of the disk. See Note [Flat caps].
+    isOver v
+      | abs c > 16 * radius = signum c * dot v n > negate (abs m) && quadrance (across normal v) <= radius * radius
+      | otherwise = signum c * dot v n >= 0
     d = direction r
     (t0, p) = nextTo (origin r - centre) d
 {-# INLINE capParameters #-}
@@ -106,6 +112,17 @@ capNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
 capNormal centre normal radius c v =
   fromMaybe normal (unit (signum c *^ ((v - centre) + centreDepth radius c *^ vector normal)))
 {-# INLINE capNormal #-}
+
+-- Note [Flat caps]
+-- ~~~~~~~~~~~~~~~~
+-- Which points of the sphere are on the cap is told by their height h over the disk, h >= 0, or by their distance rho from its axis, rho <= R, but there only before the plane of the centre, h > -m. (Let c > 0; c < 0 is the same upside
+-- down.) On the sphere (h + m)^2 + rho^2 = c^2 = m^2 + R^2, that is
+--
+-- > R^2 - rho^2 = h (h + 2 m)
+--
+-- and for h > -m the second factor is positive: both say the same. A position that is off by e moves the rim by e m / R if it is told by the height, since the cap is that flat there, and by e if it is told by the distance, but then, seen
+-- from the side, by e R / m in height. So a cap that is half a sphere, m = 0, is told by its height, and a flat one by the distance: told by the height, a cap of |c| = 10^16 R, whose height R^2 / 2|c| is below the rounding of a position, would
+-- be met anywhere in its plane, or nowhere. The rule changes at |c| = 16 R, where both are good to a few digits of the last place.
 
 -- Note [Near the rim]
 -- ~~~~~~~~~~~~~~~~~~~

@@ -29,12 +29,13 @@
 -- >      / \                /  \            / | \          halves is before the apex: the first where da > 0.
 --
 -- What the line shares with the slab -H <= a <= 0 is then the one interval in which it is in the cone. Note [Near the apex] says why
--- the ray is first moved next to the apex.
+-- the ray is first moved next to the apex, and Note [Flat cones] why a cone that is much wider than high has equations of its own.
 module Dioptre.Geometry.Cone
   ( -- * Intersecting
     coneParameters,
     coneNormal,
     coneContains,
+    isFlatCone,
 
     -- * Along a ray
     ConeLine (..),
@@ -66,35 +67,46 @@ import GHC.Exts (build)
 -- through the apex that is less inclined to the axis than the surface is meets it.
 coneParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 coneParameters p1 s h radius r = build $ \cons nil ->
-  let !(Crossing t0 curved ends) = crossing p1 s h radius r
+  let !(Crossing t0 u curved ends) = crossing p1 s h radius r
       !(Interval first final) = intersection curved ends
-      !enter = t0 + first
-      !leave = t0 + final
+      !enter = t0 + u * first
+      !leave = t0 + u * final
       !inside = leave - enter
    in if first <= final && inside < infinity then cons enter (cons leave nil) else nil
 {-# INLINE coneParameters #-}
 
--- | The parameter t0 of the line's point nearest to the apex and, counted from there, where the line is in the cone before the apex and
--- where it is between the base and the apex.
-data Crossing = Crossing !Double !Interval !Interval
+-- | The parameter t0 of a point of the line next to the apex and a unit u; and, for s in the parameter t0 + u s, where the line is in the cone before the apex and where it is between the base and the apex.
+data Crossing = Crossing !Double !Double !Interval !Interval
 
 crossing :: Point -> Unit -> Double -> Double -> Ray -> Crossing
-crossing p1 s h radius r = Crossing t0 (half equation da) (slab (negate h) 0 a da)
-  where
-    ConeLine t0 equation a da = coneLine p1 s h radius r
+crossing p1 s h radius r = case coneLine p1 s h radius r of
+  FromNearest t0 equation a da -> Crossing t0 1 (half equation da) (slab (negate h) 0 a da)
+  FromApexPlane t0 q equation da -> Crossing t0 q (half equation da) (slab (negate radius) 0 0 da)
 {-# NOINLINE crossing #-}
 
--- | A ray's line, from its point nearest to the apex on: that point's parameter, t0; the equation of the double cone;
--- and the line's height above the apex, a, and what it gains with t, da.
-data ConeLine = ConeLine Double Quadratic Double Double
+-- | A ray's line, with the equation of the double cone along it.
+data ConeLine
+  = -- | From its point nearest to the apex on: that point's parameter, t0; the equation; and the line's height above the
+    -- apex, a, and what it gains with t, da.
+    FromNearest Double Quadratic Double Double
+  | -- | Of a flat cone, and a line steep for it, from the plane of the apex on: the parameter there, t0; the unit q = H \/ R
+    -- that is counted in; the equation in it; and da. See Note [Flat cones].
+    FromApexPlane Double Double Quadratic Double
 
 -- | The ray's line and the cone's equation.
 coneLine :: Point -> Unit -> Double -> Double -> Ray -> ConeLine
-coneLine p1 s h radius r =
-  ConeLine t0 (Quadratic (dot dPerp dPerp - kda * kda) (2 * (dot wPerp dPerp - kda * ka)) (dot wPerp wPerp - ka * ka)) a da
+coneLine p1 s h radius r
+  | isFlatCone h radius && isSteep h radius (dot d d) da =
+    let q = h / radius
+        t1 = negate (dot far (vector s) / da)
+        vPerp = across s (far + t1 *^ d)
+        qd = q *^ dPerp
+     in FromApexPlane t1 q (Quadratic (dot qd qd - da * da) (2 * dot vPerp qd) (dot vPerp vPerp)) da
+  | otherwise = FromNearest t0 (Quadratic (dot dPerp dPerp - kda * kda) (2 * (dot wPerp dPerp - kda * ka)) (dot wPerp wPerp - ka * ka)) a da
   where
     d = direction r
-    (t0, w) = nextTo ((origin r - p1) - h *^ vector s) d
+    far = (origin r - p1) - h *^ vector s
+    (t0, w) = nextTo far d
     -- Split it along and across the axis.
     a = dot w (vector s)
     da = dot d (vector s)
@@ -103,6 +115,16 @@ coneLine p1 s h radius r =
     ka = radius / h * a
     kda = radius / h * da
 {-# INLINE coneLine #-}
+
+-- | Whether a cone of that height and radius is flat: R > 32 H.
+isFlatCone :: Double -> Double -> Bool
+isFlatCone h radius = radius > 32 * h
+{-# INLINE isFlatCone #-}
+
+-- | Whether a line is steep for such a cone: |k da| > 2 |d|, so that it goes through the cone from its base to the other side. Given \<d, d> and da.
+isSteep :: Double -> Double -> Double -> Double -> Bool
+isSteep h radius dd da = abs da * radius > 2 * h * sqrt dd
+{-# INLINE isSteep #-}
 
 -- | Where A t^2 + B t + C <= 0, in that half of it which is before the apex if A < 0. See Note [Halves].
 half :: Quadratic -> Double -> Interval
@@ -125,10 +147,11 @@ half equation@(Quadratic a b c) da = case rootsOf equation of
 -- The gradient of |w_perp|^2 - k^2 a^2 is 2 (w_perp - k^2 a S), and w_perp = -k a e on the cone.
 coneNormal :: Point -> Unit -> Double -> Double -> Ray -> Double -> Unit
 coneNormal p1 s h radius r t
-  | t == t0 + base && t /= t0 + x && t /= t0 + y = opposite s
+  | t == at base && t /= at x && t /= at y = opposite s
   | otherwise = coneSideNormal p1 s h radius (position r t)
   where
-    Crossing t0 (Interval x y) (Interval near away) = crossing p1 s h radius r
+    Crossing t0 u (Interval x y) (Interval near away) = crossing p1 s h radius r
+    at along = t0 + u * along
     base = if dot (direction r) (vector s) > 0 then near else away
 
 coneSideNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
@@ -188,6 +211,33 @@ conesParameters point apex radius r =
 -- its point nearest to the apex, w carries the rounding of a position, 2^-52 of the distance, and |w| is no more than the line's distance from the apex:
 -- all errors that follow are relative to that. The parameters are t0 plus the roots, in the order of the roots, since rounding
 -- a sum does not reverse an order.
+
+-- Note [Flat cones]
+-- ~~~~~~~~~~~~~~~~~
+-- Let rho be the distance from the axis at which a line passes the plane of the apex, and k = R / H large. The line goes through the thin body at about rho from the axis, whatever its
+-- inclination, unless that is below 1 / k or so. Its two roots are 2 rho / k |da| apart, and their difference is the root of
+--
+-- > (B^2 - 4 A C) / 4 = |k (a d_perp - da w_perp)|^2 - |w_perp x d_perp|^2
+--
+-- whose first part is (k da rho)^2. But B^2 / 4 and A C are as large as (k da)^2 (k a)^2, with a the height of the point nearest to the apex, which for an inclined line is no less than a part of rho.
+-- Their rounding, 2^-53 of that, is the part 2^-53 k^2 of their difference: the line is taken for one at rho (1 +- 2^-54 k^2). For k = 2^20 that is the rim off by 2^-14, more than a box is larger than its shape; from k = 2^26 on
+-- the sign of the discriminant is noise, and a line is met wherever the slab is, or nowhere.
+--
+-- So where the cone is flat, R > 32 H, and the line steep, |k da| > 2 |d|, it is moved to the plane of the apex instead:
+--
+-- > a = 0,  t0 = -<far, S> / da,  w = far + t0 d = w_perp
+--
+-- With q = H / R, t = t0 + q u and D = q d_perp, it is at the height a = q u da, where k a = u da, so that
+--
+-- > |w_perp + u D|^2 <= (u da)^2      A = <D, D> - da^2,  B = 2 <w_perp, D>,  C = <w_perp, w_perp>
+-- > -H <= a <= 0                      -R <= u da <= 0
+--
+-- Since |D| <= q |d| < |da| / 2, A is between -da^2 and -3/4 da^2, and C is not negative: the discriminant is a sum, B^2 + 4 |A| C, and nothing cancels. One root is at most 0 and the other at least 0; the one with u da <= 0 is before
+-- the apex, and is what 'half' takes: the first for da > 0, where the line is in the cone up to it, and the second otherwise. As H vanishes, D does, the roots become +-rho / |da|, and the line is met where rho <= R: a disk.
+--
+-- At both limits the two ways agree to their rounding: for k = 32, 2^-54 k^2 is 2^-44; and for |k da| = 2 |d|, q |d| / |da| = 1/2, the numbers of both are of one size. The point moved to is as far from the apex as
+-- the line's height there is known, 2^-52 of the distance |far|, times |d| / |da|, which is less than k / 2. The parameters of a cone that is not flat, or of a line that is not steep, are as they
+-- always were, bit for bit.
 
 -- Note [Halves]
 -- ~~~~~~~~~~~~~

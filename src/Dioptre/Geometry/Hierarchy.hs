@@ -153,8 +153,9 @@ hierarchy n boxOf
     bounded = filterPrimArray hasBox everything
     unbounded = filterPrimArray (not . hasBox) everything
     everything = generatePrimArray n id
-    -- Where there is no box, the six numbers are zero but for the first, which is infinite.
-    hasBox i = indexPrimArray boxes (6 * i) < infinity
+    -- Where there is no box, the six numbers are zero but for the first, which is infinite. A box that is infinite itself, as that of a shape whose size left the range on its way through nested frames, has no centre:
+    -- it counts as none.
+    hasBox i = all (\k -> abs (indexPrimArray boxes (6 * i + k)) < infinity) [0 .. 5]
     boxes = runPrimArray $ do
       target <- newPrimArray (6 * n)
       let fill !i = when (i < n) $ do

@@ -38,6 +38,7 @@ module Dioptre.Geometry.Uv
   )
 where
 
+import Dioptre.Geometry.Cone (isFlatCone)
 import Dioptre.Geometry.Tube (across)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongX, alongY, alongZ, cross, dot, modulus, opposite, unit, vector, (*^))
 import Linear.V2 (V2 (..))
@@ -85,11 +86,12 @@ sphereUv c p = V2 (0.5 + atan2 z x / (2 * pi)) (atan2 (sqrt (x * x + z * z)) y /
     V3 x y z = maybe (p - c) vector (unit (p - c))
 
 -- | On the side of a tube, a cylinder or a cone from P1 along the unit axis S, of length H: u = 1\/2 + atan2(\<w, e2>, \<w, e1>)\/2pi, v = 1 - h\/H, with h the height
--- from P1.
+-- from P1. A point that rounding put beyond an end is on it: the length may be less than the rounding of a position, and v would be any number.
 sideUv :: Point -> Unit -> Double -> Point -> V2 Double
-sideUv p1 s h v = V2 (turn s w) (1 - dot w (vector s) / h)
+sideUv p1 s h v = V2 (turn s w) (1 - height / h)
   where
     w = v - p1
+    height = max 0 (min h (dot w (vector s)))
 
 -- | On the torus around P in the plane with unit normal n, its circle of radius R: u as on a side, v = 1\/2 - atan2(\<w, n>, |w_perp| - R)\/2pi.
 torusUv :: Point -> Unit -> Double -> Point -> V2 Double
@@ -112,11 +114,14 @@ cylinderUv p1 s h radius n v
   | otherwise = sideUv p1 s h v
 
 -- | On a cone, at a point with a given outward normal: the base, if the normal is the base's, is a disk with that normal; the rest, with the apex, is
--- the side.
+-- the side. The height on a flat cone ('isFlatCone') may be less than the rounding of a position; there v is the same as the distance from the axis, in units of R.
 coneUv :: Point -> Unit -> Double -> Double -> Unit -> Point -> V2 Double
 coneUv p1 s h radius n v
   | n == opposite s = diskUv p1 n radius v
+  | isFlatCone h radius = V2 (turn s w) (min 1 (modulus (across s w) / radius))
   | otherwise = sideUv p1 s h v
+  where
+    w = v - p1
 
 -- | On the face with a given outward normal of the cube around C with half size h: as on a disk of radius h around the middle of the face.
 cubeUv :: Point -> Double -> Unit -> Point -> V2 Double
@@ -127,10 +132,10 @@ triangleUv :: (Double, Double) -> V2 Double
 triangleUv (t1, t2) = V2 t1 t2
 
 -- | A coordinate brought to where the picture is: u - (ceil u - 1) for u > 0, so from above 0 to 1; u - floor u for the others, so from 0 to below 1. Whole numbers
--- above 0 become 1, the others 0. Subtracting 1 from the ceiling first keeps what is in place already bit for bit.
+-- above 0 become 1, the others 0, and so little below 0 that the difference rounds to 1 becomes 1. Subtracting 1 from the ceiling first keeps what is in place already bit for bit.
 --
--- >>> map wrapped [0.1, 1, 2, 2.25, 0, -0.25, -1]
--- [0.1,1.0,1.0,0.25,0.0,0.75,0.0]
+-- >>> map wrapped [0.1, 1, 2, 2.25, 0, -0.25, -1, -1e-20]
+-- [0.1,1.0,1.0,0.25,0.0,0.75,0.0,1.0]
 wrapped :: Double -> Double
 wrapped u
   | u > 0 = if u < whole then u - fromIntegral (ceiling u - 1 :: Int) else 1

@@ -27,10 +27,13 @@ refracted :: Vector -> Unit -> Double -> Double -> Maybe Vector
 refracted v n n1 n2
   | n1 == n2 = Just v
   | c * c + (n2 / n1) * (n2 / n1) < 1 = Nothing
+  -- Straight on: beyond 2^26, r c - 1 keeps less than half of its digits, and in the end r^2 is infinite.
+  | sine2 <= 0 && r > 67108864 = Just v
   | otherwise = Just (r *^ v + (r * c - sqrt across) *^ vector n)
   where
     r = n1 / n2
     c = negate (dot v (vector n))
+    sine2 = 1 - c * c
     -- Not total reflection, so this is negative by rounding only, at the critical angle.
-    across = larger (1 - r * r * (1 - c * c)) 0
+    across = larger (1 - r * r * sine2) 0
 {-# INLINE refracted #-}

@@ -69,11 +69,15 @@ data Camera = Camera
   deriving stock (Eq, Show)
 
 -- | The camera of some settings: front = look_at - position, up = (front x up) x front, both made unit.
+--
+-- Whether there is a part of up across the front is asked of up made unit, too: what is left of a long one by rounding may be long.
 camera :: CameraSettings -> Either Flaw Camera
 camera s = do
   front <- directed NowhereToLook (settingLookAt s - settingPosition s)
   let f = vector front
-  up <- directed UpAlongFront (cross (cross f (settingUp s)) f)
+  u <- directed UpAlongFront (settingUp s)
+  _ <- directed UpAlongFront (cross (cross f (vector u)) f)
+  up <- maybe (Left UpAlongFront) Right (unit (cross (cross f (settingUp s)) f))
   if settingFar s < settingNear s then Left FarBeforeNear else Right (Camera s front up)
   where
     directed flaw v

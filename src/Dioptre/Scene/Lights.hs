@@ -25,12 +25,13 @@ module Dioptre.Scene.Lights
 where
 
 import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (isNothing)
 import Data.Text (Text)
 import Dioptre.Light.Colour (Colour, white)
 import Dioptre.Light.Light
 import Dioptre.Light.Wave (mostOscillators, oscillatorGrid)
 import Dioptre.Math.Tolerance (smallestLength)
-import Dioptre.Math.Vector (Point, Vector, cross, modulus)
+import Dioptre.Math.Vector (Point, Vector, cross, modulus, unit, vector)
 import Dioptre.Scene.Form (colourForm, count, fileName, positive, realFrom, vectorForm, withUnit)
 import Dioptre.Scene.Reporting (Check)
 import Dioptre.Scene.Schema
@@ -163,12 +164,14 @@ buildPlanar opening d = do
   lamp <- buildLamp d
   wave <- buildWave d
   let aperture = draftAperture d
-      front = apertureFront aperture
+      directions = do
+        front <- longEnough (apertureFront aperture)
+        up <- longEnough (apertureUp aperture)
+        longEnough (cross (vector front) (vector up))
+      longEnough v = if modulus v < smallestLength then Nothing else unit v
       (across, upwards) = oscillatorGrid (waveOscillators wave) aperture
   if across * upwards > mostOscillators then Left (TooManyOscillators (fromInteger mostOscillators)) else Right ()
-  if modulus front < smallestLength || modulus (cross front (apertureUp aperture)) < smallestLength
-    then Left UpAlongFront
-    else Right (PlanarAperture opening lamp wave aperture)
+  if isNothing directions then Left UpAlongFront else Right (PlanarAperture opening lamp wave aperture)
 
 colour :: Property Draft
 colour = one Keyword.Color colourForm draftColour (\v d -> d {draftColour = v})

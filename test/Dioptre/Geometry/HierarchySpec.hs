@@ -8,7 +8,7 @@ import Data.Foldable (for_)
 import Data.IORef (newIORef, readIORef)
 import Data.List (sort)
 import Data.Primitive.PrimArray (indexPrimArray, primArrayToList)
-import Dioptre.Geometry.Box (approach, box)
+import Dioptre.Geometry.Box (approach, box, ofPoints)
 import Dioptre.Geometry.Hierarchy
 import Dioptre.Geometry.Ray (Ray, ray)
 import GHC.Conc (getNumCapabilities, setNumCapabilities)
@@ -61,6 +61,17 @@ spec = do
         hierarchyDepth h `shouldSatisfy` (<= 63)
         -- The largest, from (1, 1, 1) on, is item 0
         offeredOf h (ray (V3 1.0005 1.0005 5) (V3 0 0 (-1))) `shouldSatisfy` elem 0
+
+  describe "of boxes of which some are infinite" $
+    it "has these as it has items without a box" $ do
+      let endless i = case i of
+            3 -> [V3 1 1 (1 / 0)]
+            50 -> [V3 (-1 / 0) 1 1, V3 1 (1 / 0) 1]
+            _ -> []
+          h = hierarchy 99 (\i -> Just (ofPoints (V3 (fromIntegral i) 0 0) (V3 (fromIntegral i + 1) 1 1 : endless i)))
+      take 2 (primArrayToList (hierarchyOrder h)) `shouldBe` [3, 50]
+      sort (primArrayToList (hierarchyOrder h)) `shouldBe` [0 .. 98]
+      hierarchyDepth h `shouldSatisfy` (<= 10)
 
   describe "of a crowd within boxes that are ever farther apart" $
     it "is no deeper than a trail is long, and loses none" $ do

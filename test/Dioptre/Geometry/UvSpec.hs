@@ -38,13 +38,15 @@ spec = do
       map (sideUv 0 alongZ 4) [V3 1 0 0, V3 0 1 4, V3 0 (-1) 1] `shouldBe` [V2 0.5 1, V2 0.75 0, V2 0.25 0.75]
     it "have a torus' angles" $
       map (torusUv 0 alongZ 2) [V3 3 0 0, V3 0 2 1, V3 0 (-2) (-1)] `shouldBe` [V2 0.5 0.5, V2 0.75 0.25, V2 0.25 0.75]
+    it "end where a side does, however short it is" $ map (sideUv 0 alongZ 1e-310) [V3 1 0 1e-16, V3 1 0 (-1e-16), V3 1 0 0] `shouldBe` [V2 0.5 0, V2 0.5 1, V2 0.5 1]
+    it "have a flat cone's distances from its axis" $ map (coneUv 0 alongZ 1e-20 2 alongZ) [V3 1 0 0, V3 2.5 0 0, V3 0 2 1e-16] `shouldBe` [V2 0.5 0.5, V2 0.5 1, V2 0.75 1]
     prop "keep longitude and latitude on a sphere" sphereKeepsAngles
     prop "keep angle and height on a side" sideKeepsAngles
     prop "keep both angles on a torus" torusKeepsAngles
 
   describe "wrapped" $ do
     it "leaves 1 where it is, and brings other whole numbers there or to 0" $ map wrapped [1, 2, 7, 0, -1, -7] `shouldBe` [1, 1, 1, 0, 0, 0]
-    it "goes on to the left of 0" $ map wrapped [-0.25, 1.25, 0.1] `shouldBe` [0.75, 0.25, 0.1]
+    it "goes on to the left of 0" $ map wrapped [-0.25, 1.25, 0.1, -1e-20] `shouldBe` [0.75, 0.25, 0.1, 1]
     it "is total" $ map wrapped [1e100, -1e100, 1 / 0, 0 / 0] `shouldBe` [1, 0, 1, 0]
     prop "gives a place on the picture" wrapsIntoPicture
     prop "takes away whole numbers" wrapsByWholeNumbers

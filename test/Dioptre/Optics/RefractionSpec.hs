@@ -14,6 +14,8 @@ spec :: Spec
 spec = modifyMaxSuccess (* 10) $ do
   describe "refracted" $ do
     it "lets light pass that comes straight" $ refracted (V3 0 0 (-1)) alongZ 1 1.5 `shouldBe` Just (V3 0 0 (-1))
+    it "lets light pass that comes straight, whatever the indices are" $
+      [refracted v n n1 n2 | (v, n) <- [(V3 0 0 (-1), alongZ), (V3 0 0 1, opposite alongZ)], (n1, n2) <- [(1e200, 1), (1, 1e-200), (1e9, 1), (1, 1e200)]] `shouldBe` concatMap (replicate 4 . Just) [V3 0 0 (-1), V3 0 0 1]
 
     -- sin a1 = 4/5 and n2/n1 = 4/3 give sin a2 = 3/5; both are 0.8 and 0.6 of the nearest doubles
     it "bends light into water: sines of 4/5 and 3/5" $

@@ -28,6 +28,10 @@ spec = do
       fmap cameraSettings (camera (settings 1e-10 5 5)) `shouldBe` Right (settings 1e-10 5 5)
       camera (settings 0.9e-10 5 5) `shouldBe` Left NowhereToLook
       camera (settings 1 5 4.9) `shouldBe` Left FarBeforeNear
+    it "has no up along its front, however long it is, and none that is too short" $ do
+      let flaw look v = either Just (const Nothing) (camera (CameraSettings 0 look v 60 1 100))
+      [flaw (V3 0.1 0.2 0.3) (k * V3 0.1 0.2 0.3) | k <- [1e-9, 1, 1e10, 1e30, 1e90]] `shouldBe` replicate 5 (Just UpAlongFront)
+      [flaw (V3 0 0 2) v | v <- [V3 0 1 1e9, V3 0 1 2e10, V3 0 1e-10 0, V3 0 0.9e-10 0]] `shouldBe` [Nothing, Just UpAlongFront, Nothing, Just UpAlongFront]
   describe "a viewport" $ do
     it "of which nothing is said is 500 by 500, and called image" $
       map (view . sceneViewport . readingScene . readLines) [[], ["viewport", "end"]] `shouldBe` replicate 2 (500, 500, "image")

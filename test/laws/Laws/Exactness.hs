@@ -446,7 +446,7 @@ promised (Aimed shape r) = case shape of
         k = radius / h
      in bounds (p1 + g) (h + radius) $ \v ->
           let (z, out) = split (p1 + g) g v
-           in (min (abs (out - k * abs z) / rootBelow (1 + k * k)) (abs (z + h)), (k + 1 / k) / 2 ^ (49 :: Int))
+           in (min (abs (out - k * abs z) / rootBelow (1 + k * k)) (abs (z + h)), if k > 32 && abs (inner d g) / h * k > 2 * dSize then dSize * h / abs (inner d g) / 2 ^ (48 :: Int) else (k + 1 / k) / 2 ^ (49 :: Int))
   ACap x ->
     let over = capDisk x
         n = exact (planeNormal (diskPlane over))

@@ -585,7 +585,8 @@ someLight =
     part = oneof [pure 0, pure 1, abs <$> admitted]
     -- The number of sources is limited, and so is that of a narrow aperture, which has many along its longer side.
     wave = Wave <$> within 380 780 <*> count <*> chooseInt (0, 1000)
-    aperture = (Aperture <$> lengthOf <*> lengthOf <*> direction <*> direction) `suchThat` (\a -> modulus (Vector.cross (apertureFront a) (apertureUp a)) >= 1e-10)
+    aperture = (Aperture <$> lengthOf <*> lengthOf <*> direction <*> direction) `suchThat` (\a -> maybe False ((>= 1e-10) . modulus) (Vector.cross <$> madeUnit (apertureFront a) <*> madeUnit (apertureUp a)))
+    madeUnit v = Vector.vector <$> Vector.unit v
 
 -- | A shape of any kind, transformed shapes at most so many deep.
 someShape :: Int -> Gen Shape

@@ -79,7 +79,8 @@ def disk_uv(w, n, radius):
 def side_uv(w, axis, height):
     """The picture on a side (geometry.tube.uv)."""
     e1, e2 = frame(axis)
-    return (0.5 + math.atan2(V.dot(w, e2), V.dot(w, e1)) / TWO_PI, 1 - V.dot(w, axis) / height)
+    h = max(0.0, min(height, V.dot(w, axis)))
+    return (0.5 + math.atan2(V.dot(w, e2), V.dot(w, e1)) / TWO_PI, 1 - h / height)
 
 
 def nearest_parameter(w, d):

@@ -31,8 +31,16 @@ class Cap(Shape):
         pn, dn = V.dot(p, self.n), V.dot(d, self.n)
         found = roots.quadratic(V.dot(d, d), 2 * (V.dot(p, d) + self.m * dn),
                                 V.dot(p, p) + 2 * self.m * pn - self.radius * self.radius)
-        side = 1 if self.c > 0 else -1
-        return [(t0 + s, None) for s in found if side * (pn + s * dn) >= 0]
+        return [(t0 + s, None) for s in found
+                if self._is_over(pn + s * dn, V.add(p, V.scale(s, d)))]
+
+    def _is_over(self, height, v):
+        """Whether a point of the sphere is on the cap."""
+        if self.c < 0:
+            height = -height
+        if abs(self.c) <= 16 * self.radius:
+            return height >= 0
+        return height > -abs(self.m) and V.modulus(V.across(self.n, v)) <= self.radius
 
     def normal(self, ray, t, point, part):
         """geometry.cap.normal, geometry.hit.centre"""

@@ -31,12 +31,15 @@ class Cone(Axial):
     def __init__(self, base, apex, radius):
         super().__init__(base, apex, radius)
         self.k = radius / self.height
+        self.flat = radius > 32 * self.height
 
     def parameters(self, ray):
         """geometry.cone.interval by its informative algorithm, geometry.cone.beyond-apex,
         geometry.cone.apex; parts are "side" and "base"."""
         o, d = ray
         w = V.subtract(o, self.p2)
+        if self.flat and abs(V.dot(d, self.axis)) * self.radius > 2 * self.height * V.modulus(d):
+            return self._steep(w, d)
         t0 = nearest_parameter(w, d)
         p = V.add(w, V.scale(t0, d))
         a, da = V.dot(p, self.axis), V.dot(d, self.axis)
@@ -57,6 +60,22 @@ class Cone(Axial):
         for s in (entry, leave):
             found.append((t0 + s, "base" if s == base and s not in sides else "side"))
         return found
+
+    def _steep(self, w, d):
+        """Through a flat cone: counted from the plane of the apex, in units of H / R."""
+        unit = self.height / self.radius
+        da = V.dot(d, self.axis)
+        t0 = -V.dot(w, self.axis) / da
+        wp = V.across(self.axis, V.add(w, V.scale(t0, d)))
+        dp = V.scale(unit, V.across(self.axis, d))
+        within, sides = self._nappe(V.dot(dp, dp) - da * da, 2 * V.dot(wp, dp), V.dot(wp, wp), da)
+        slab = slab_interval(0.0, da, -self.radius, 0)
+        entry, leave = max(within[0], slab[0]), min(within[1], slab[1])
+        if not entry <= leave:
+            return []
+        base = -self.radius / da
+        return [(t0 + unit * s, "base" if s == base and s not in sides else "side")
+                for s in (entry, leave)]
 
     @staticmethod
     def _nappe(a, b, c, da):
@@ -86,7 +105,10 @@ class Cone(Axial):
         w = V.subtract(point, self.p1)
         if part == "base":
             return disk_uv(w, V.negate(self.axis), self.radius)
-        return side_uv(w, self.axis, self.height)
+        u, v = side_uv(w, self.axis, self.height)
+        if self.flat:
+            v = min(1.0, V.modulus(V.across(self.axis, w)) / self.radius)
+        return u, v
 
     def contains(self, point):
         """geometry.cone.contains"""
