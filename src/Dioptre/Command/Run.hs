@@ -24,9 +24,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
+import Dioptre.Command.Browser (opener)
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
-import Dioptre.Command.Browser (opener)
 import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayDiagnostics, sayFault, sayText, written)
 import Dioptre.Command.Trace (sayCut, timed, traced)
 import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
@@ -201,7 +201,7 @@ sayScene journal loaded end = do
 -- | Leaves what an application leaves of a picture that took some seconds: the picture, its number, and the scene.
 leave :: Journal -> Inputs -> Configuration -> Scene -> Picture -> Double -> Tally -> IO ExitCode
 leave journal inputs configuration scene image tracing tally = do
-  sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
+  sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> inLanguage l ": " "\xA0: " <> statistics l (tallyRays tally) (tallyTests tally))
   sayCut journal tally
   (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
   case outcome of
@@ -278,4 +278,4 @@ comparePair journal inputs list i (a, b) = do
       outcome <$ noteRead inputs (path : [file | Right (_, Just scene) <- [outcome], file <- loadedFiles scene])
     result outcome =
       Text.putStrLn $
-        inLanguage l "comparison #" "comparaison nº " <> Text.pack (show i) <> ": " <> a <> ", " <> b <> ": " <> outcome
+        inLanguage l "comparison #" "comparaison nº " <> Text.pack (show i) <> inLanguage l ": " "\xA0: " <> a <> ", " <> b <> ": " <> outcome
