@@ -10,6 +10,7 @@ import qualified Dioptre.Command.CommandSpec
 import qualified Dioptre.Command.ConformSpec
 import qualified Dioptre.Command.ExplainSpec
 import qualified Dioptre.Command.NewSpec
+import qualified Dioptre.Command.WordingSpec
 import qualified Dioptre.Conformance.CompareSpec
 import qualified Dioptre.Conformance.ExampleSpec
 import qualified Dioptre.Conformance.LinesSpec
@@ -148,6 +149,7 @@ specs = do
   describe "Dioptre.Command.Conform" Dioptre.Command.ConformSpec.spec
   describe "Dioptre.Command.Explain" Dioptre.Command.ExplainSpec.spec
   describe "Dioptre.Command.New" Dioptre.Command.NewSpec.spec
+  describe "Dioptre.Command.Wording" Dioptre.Command.WordingSpec.spec
   describe "Dioptre.Conformance.Compare" Dioptre.Conformance.CompareSpec.spec
   describe "Dioptre.Conformance.Example" Dioptre.Conformance.ExampleSpec.spec
   describe "Dioptre.Conformance.Lines" Dioptre.Conformance.LinesSpec.spec

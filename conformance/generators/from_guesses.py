@@ -194,7 +194,7 @@ def hits():
 
 
 def told(*diagnostics):
-    severities = {"decimal-comma": "warning", "missing-material": "warning", "repeated-material": "warning", "sampling-without-random": "warning", "no-model-file": "warning", "no-material-name": "note", "replaced-object": "note"}
+    severities = {"decimal-comma": "warning", "missing-material": "warning", "repeated-material": "warning", "sampling-without-random": "warning", "no-model-file": "warning", "behind-opening": "warning", "no-material-name": "note", "replaced-object": "note"}
     return {"diagnostics": [{"code": code, "severity": severities.get(code, "error"), "line": line, "column": column} for code, line, column in diagnostics]}
 
 
@@ -217,13 +217,13 @@ def texts():
     bare = ["primitive", *ball]
     one("code.missing-material code.no-material-name", "A name that an unnamed primitive took first is not told of any more", "twice", [*bare, *named(" none")], ("no-material-name", 1, 1))
     one("code.missing-material code.no-material-name", "The other way round it is", "twice", [*named(" none"), *bare], ("missing-material", 2, 17), ("no-material-name", 6, 1))
-    one("code.missing-material check.place", "A material_name without a value names none, and stands", "missing", named(""), ("missing-value", 2, 3), ("missing-material", 2, 16))
-    one("code.missing-material check.place", "A material_name without a value keeps the name before", "missing", ["primitive", "  material_name a", "  material_name", *ball], ("missing-value", 3, 3), ("missing-material", 3, 16))
+    one("code.missing-material check.place", "A material_name without a value is told as that alone", "missing", named(""), ("missing-value", 2, 3))
+    one("code.missing-material check.place", "A material_name without a value keeps the name before", "missing", ["primitive", "  material_name a", "  material_name", *ball], ("missing-material", 2, 17), ("missing-value", 3, 3))
     one("code.missing-material", "A material_name without a value, where none is there", "missing", [*named(""), "material", "end"], ("missing-value", 2, 3))
     one("code.missing-material object.impossible", "A primitive that is left out names no material", "impossible", ["primitive", "  material_name a", "  plane", "    normal 0 0 1e-11", "  end", "end", *named(" a")], ("zero-normal", 3, 3), ("missing-material", 8, 17))
     one("code.no-material-name object.impossible", "A primitive that is left out gets no note", "impossible", ["primitive", "  plane", "    normal 0 0 1e-11", "  end", "end"], ("zero-normal", 2, 3))
     one("code.repeated-material", "A third material of a name is told too", "twice", ["material", "  name a", "end"] * 3, ("repeated-material", 5, 8), ("repeated-material", 8, 8))
-    one("code.repeated-material check.place", "Told at the last name, though it has no value", "place", ["material", "  name a", "end", "material", "  name a", "  name", "end"], ("missing-value", 6, 3), ("repeated-material", 6, 7))
+    one("code.repeated-material check.place", "Told at the last name that has a value", "place", ["material", "  name a", "end", "material", "  name a", "  name", "end"], ("repeated-material", 5, 8), ("missing-value", 6, 3))
     one("code.repeated-material", "Two materials without a name have the same name", "defaults", ["material", "end", "material", "end"], ("repeated-material", 3, 1))
     one("code.decimal-comma", "A number that is out of range is told as that alone", "twice", ["camera", "  angle 500,5", "end"], ("out-of-range", 2, 9))
     one("code.decimal-comma", "A number that is too large is told as that alone", "twice", ["camera", "  angle 1e200,5", "end"], ("number-too-large", 2, 9))

@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 
 from suite import HAND, case  # noqa: E402
 
-WARNINGS = {"decimal-comma", "missing-material", "repeated-material", "sampling-without-random", "no-model-file"}
+WARNINGS = {"decimal-comma", "missing-material", "repeated-material", "sampling-without-random", "no-model-file", "behind-opening"}
 NOTES = {"no-material-name", "replaced-object"}
 MARK = re.compile("«([a-z-]+)»")
 

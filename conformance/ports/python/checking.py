@@ -10,8 +10,9 @@ class Item:
 
     def __init__(self, block, found, shape=None):
         self.block, self.values, self.shape = block, found, shape
-        self.places = {}               # name of a property -> (line, column) of its last value,
-        self.last = {}                 # taken or not (check.place), and that value as written
+        self.places = {}               # name of a property -> (line, column) of its last value
+                                       # that is not empty, taken or not (check.place),
+        self.last = {}                 # and its last one, empty or not, as written
 
 
 class Scene:
@@ -26,7 +27,8 @@ class Scene:
 
 SEVERITIES = {"decimal-comma": "warning", "missing-material": "warning",
               "repeated-material": "warning", "sampling-without-random": "warning",
-              "no-model-file": "warning", "no-material-name": "note", "replaced-object": "note"}
+              "no-model-file": "warning", "behind-opening": "warning",
+              "no-material-name": "note", "replaced-object": "note"}
 
 
 class Checker:
@@ -66,6 +68,10 @@ class Checker:
             self.tell_line("missing-end", node.line)
         elif node.closed is not None:
             self.tell_line("misspelt-end", node.closed)
+        behind = values.TOKEN.search(node.line.value)      # code.behind-opening
+        if behind and (behind.group().lower() in block.by_word
+                       or node.key in L.SHAPES and values.is_number(behind.group())):
+            self.tell("behind-opening", node.line.number, node.line.value_column + behind.start())
         item = Item(block, block.defaults())
         used = {}
         objects = False
@@ -99,7 +105,8 @@ class Checker:
 
     def property(self, item, prop, line, used):
         """object.defaults, object.several"""
-        item.places[prop.name] = (line.number, line.value_column)
+        if line.value:                                     # check.place
+            item.places[prop.name] = (line.number, line.value_column)
         item.last[prop.name] = line.value
         place = used.get(prop.name, 0)
         if prop.places > 1:
@@ -136,7 +143,7 @@ class Checker:
             self.seen.add(block.name)
             setattr(scene, block.name, item)
         elif block is L.PRIMITIVE:
-            if "material_name" not in item.places:
+            if "material_name" not in item.last:
                 self.tell("no-material-name", *item.opening)
             scene.primitives.append(item)
         elif block in L.MATERIALS:
@@ -144,7 +151,7 @@ class Checker:
                 self.tell("repeated-material", *item.places.get("name", item.opening))
             scene.materials.append(item)
         elif block is L.MODEL:
-            if "file" not in item.places:                  # code.no-model-file
+            if "file" not in item.last:                  # code.no-model-file
                 self.tell("no-model-file", *item.opening)
             elif item.last["file"] == "none":
                 self.tell("no-model-file", *item.places["file"])

@@ -43,6 +43,11 @@ def has_decimal_comma(prop, line):
     return prop.form == "real" and COMMA.match(line.value) is not None
 
 
+def is_number(word):
+    """Whether a token is a real number that is not too large."""
+    return REAL.match(word) is not None and abs(float(word)) <= LARGEST
+
+
 def number(token):
     """A real number (value.real, value.real.largest, numbers.reading)."""
     word, column = token

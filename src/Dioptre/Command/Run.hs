@@ -205,7 +205,7 @@ sayScene journal loaded end = do
 -- | Leaves what an application leaves of a picture that took some seconds: the picture, its number, and the scene.
 leave :: Journal -> Inputs -> Configuration -> Scene -> Picture -> Double -> Tally -> IO ExitCode
 leave journal inputs configuration scene image tracing tally = do
-  sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> ": " <> statistics l (tallyRays tally) (tallyTests tally))
+  sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> inLanguage l ": " "\xA0: " <> statistics l (tallyRays tally) (tallyTests tally))
   sayCut journal tally
   (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
   case outcome of
@@ -282,4 +282,4 @@ comparePair journal inputs list i (a, b) = do
       outcome <$ noteRead inputs (path : [file | Right (_, Just scene) <- [outcome], file <- loadedFiles scene])
     result outcome =
       Text.putStrLn $
-        inLanguage l "comparison #" "comparaison nº " <> Text.pack (show i) <> ": " <> a <> ", " <> b <> ": " <> outcome
+        inLanguage l "comparison #" "comparaison nº " <> Text.pack (show i) <> inLanguage l ": " "\xA0: " <> a <> ", " <> b <> ": " <> outcome

@@ -20,6 +20,7 @@ import Dioptre.Load.Amount (Amount (..), ModelRead (..))
 import Dioptre.Model.Obj (Counts (..))
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Phrase (counted, number)
 import Numeric (showFFloat)
 
 -- | A duration, to the millisecond.
@@ -30,10 +31,10 @@ seconds s = Text.pack (showFFloat (Just 3) s " s")
 statistics :: Language -> Int -> Int -> Text
 statistics l rays tests =
   Text.concat
-    [ Text.pack (show rays),
-      inLanguage l " rays, " " rayons, ",
-      Text.pack (show tests),
-      inLanguage l " intersection tests (" " tests d'intersection (",
+    [ counted l rays ("ray", "rays") ("rayon", "rayons"),
+      ", ",
+      counted l tests ("intersection test", "intersection tests") ("test d'intersection", "tests d'intersection"),
+      " (",
       Text.pack (showFFloat (Just 2) (fromIntegral tests / fromIntegral (max 1 rays) :: Double) ""),
       inLanguage l " a ray)" " par rayon)"
     ]
@@ -42,17 +43,15 @@ statistics l rays tests =
 extent :: Language -> Extent -> Text
 extent l e =
   Text.concat
-    [ number (extentShapes e),
-      inLanguage l " shapes; " " formes\xA0; ",
-      number (extentTriangles e),
-      inLanguage l " triangles of models in memory; index of " " triangles de modèles en mémoire\xA0; index de ",
-      number (extentBoxes e),
-      inLanguage l " boxes, " " boîtes, profond de ",
+    [ counted l (extentShapes e) ("shape", "shapes") ("forme", "formes"),
+      inLanguage l "; " "\xA0; ",
+      counted l (extentTriangles e) ("triangle", "triangles") ("triangle", "triangles"),
+      inLanguage l " of models in memory; index of " " de modèles en mémoire\xA0; index de ",
+      counted l (extentBoxes e) ("box", "boxes") ("boîte", "boîtes"),
+      inLanguage l ", " ", profond de ",
       number (extentDepth e),
       inLanguage l " deep" ""
     ]
-  where
-    number = Text.pack . show
 
 -- | A model's file that was read, and how much is in it.
 modelRead :: Language -> ModelRead -> Text
@@ -61,12 +60,9 @@ modelRead l (ModelRead path amount) =
     Polygons counts ->
       Text.intercalate
         ", "
-        [ number (countTriangles counts) ("triangle", "triangles") ("triangle", "triangles"),
-          number (countQuads counts) ("quad", "quads") ("quadrilatère", "quadrilatères"),
-          number (countPolygons counts) ("other polygon", "other polygons") ("autre polygone", "autres polygones")
+        [ counted l (countTriangles counts) ("triangle", "triangles") ("triangle", "triangles"),
+          counted l (countQuads counts) ("quad", "quads") ("quadrilatère", "quadrilatères"),
+          counted l (countPolygons counts) ("other polygon", "other polygons") ("autre polygone", "autres polygones")
         ]
-    Primitives n -> number n ("primitive", "primitives") ("primitive", "primitives")
-    Tubes n -> number n ("tube", "tubes") ("tube", "tubes")
-  where
-    number :: Int -> (Text, Text) -> (Text, Text) -> Text
-    number n en fr = Text.pack (show n) <> " " <> inLanguage l (if n == 1 then fst en else snd en) (if n < 2 then fst fr else snd fr)
+    Primitives n -> counted l n ("primitive", "primitives") ("primitive", "primitives")
+    Tubes n -> counted l n ("tube", "tubes") ("tube", "tubes")

@@ -142,7 +142,7 @@ block = withObject "shape" $ \o -> do
   let properties = [p | (w, described) <- describeShapes, w == word, p <- described]
       inOrder (key, _) = fromSpelling (Key.toText key) >>= (`elemIndex` concat [words' | (words', _, _) <- properties])
   nodes <- traverse (nodesOf properties) (sortOn inOrder (Keys.toList (Keys.delete "kind" o)))
-  pure (Block (headOf kind) (concat nodes) (ByEnd wholeFile))
+  pure (Block (headOf kind) (Tree.Value wholeFile "") (concat nodes) (ByEnd wholeFile))
 
 -- | What a member of an object says, given what its shape's properties expect: a property for each value, or an object.
 nodesOf :: [([Keyword], Expectation, [Text])] -> (Key, Value) -> Parser [Node]

@@ -48,6 +48,8 @@ import Dioptre.Conformance.Verdict (Case (..))
 import Dioptre.Files.Fault (FileFault, orFault)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Picture.Png (decode)
+import Dioptre.Source.Language (Language (English))
+import Dioptre.Source.Message (pictureFault)
 import System.Directory (doesDirectoryExist, listDirectory, makeAbsolute)
 import System.FilePath (takeDirectory, takeExtension, takeFileName, (</>))
 
@@ -137,7 +139,7 @@ caseOf profile operation = withObject "case" $ \o -> do
 withFiles :: FilePath -> Case -> IO (Either SuiteFault Case)
 withFiles pictures c = do
   input <- resolved (caseInput c) (\o path bytes -> Object . (\t -> Keys.insert "text" (String t) (Keys.delete "file" o)) <$> first (const (Malformed path "this is not UTF-8")) (Text.decodeUtf8' bytes))
-  expected <- resolved (caseExpected c) (\_ path bytes -> first (Malformed path) (ofPicture <$> decode bytes))
+  expected <- resolved (caseExpected c) (\_ path bytes -> first (Malformed path . pictureFault English) (ofPicture <$> decode bytes))
   pure ((\i e -> c {caseInput = i, caseExpected = e}) <$> input <*> expected)
   where
     resolved value contents = case value of

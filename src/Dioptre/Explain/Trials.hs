@@ -139,7 +139,7 @@ measureText l root = case rootMeasure root of
   AwayFromCentre away radius -> say ": the point is " "\xA0: le point est à " <> real away <> say " from the centre, " " du centre, " <> (if outside then say "more than R = " "plus de R = " else say "at most R = " "au plus R = ") <> real radius
   InTheHole away radius -> say ": the point is " "\xA0: le point est à " <> real away <> say " from the centre, less than r = " " du centre, moins de r = " <> real radius
   OnTheRing away hole radius -> say ": the point is " "\xA0: le point est à " <> real away <> say " from the centre, at least r = " " du centre, au moins r = " <> real hole <> say " and at most R = " " et au plus R = " <> real radius
-  Barycentric t1 t2 -> ": t1 = " <> real t1 <> ", t2 = " <> real t2 <> ", 1 - t1 - t2 = " <> real (1 - t1 - t2) <> (if outside then say "; on the triangle none is negative" "\xA0; sur le triangle, aucun n'est négatif" else "")
+  Barycentric t1 t2 -> say ": t1 = " "\xA0: t1 = " <> real t1 <> ", t2 = " <> real t2 <> ", 1 - t1 - t2 = " <> real (1 - t1 - t2) <> (if outside then say "; on the triangle none is negative" "\xA0; sur le triangle, aucun n'est négatif" else "")
   AtHeight height len -> say ": at the height " "\xA0: à la hauteur " <> real height <> (if outside then say ", not from 0 to " ", pas de 0 à " else say ", from 0 to " ", de 0 à ") <> real len
   SideOfDisk -> if outside then say ": on the other side of the disk" "\xA0: de l'autre côté du disque" else ""
   OtherConditions -> if outside then say ": the other conditions do not hold there" "\xA0: les autres conditions n'y tiennent pas" else ""

@@ -20,7 +20,9 @@ import qualified Data.Text as Text
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Number (NumberingFault (..))
 import Dioptre.Files.Search (Place (..), SearchFault (..))
+import Dioptre.Source.Diagnostic (PictureFault)
 import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Message (pictureFault)
 
 -- | A file that cannot be read or written.
 fileFault :: Language -> FileFault -> Text
@@ -66,6 +68,6 @@ numberingFault l = \case
   NotWritten fault -> fileFault l fault
 
 -- | A file that is no picture.
-undecodable :: Language -> FilePath -> Text -> Text
-undecodable l path complaint =
-  Text.pack path <> inLanguage l ": this is no picture that can be read (" "\xA0: ce n'est pas une image lisible (" <> complaint <> ")"
+undecodable :: Language -> FilePath -> PictureFault -> Text
+undecodable l path fault =
+  Text.pack path <> inLanguage l ": " "\xA0: " <> pictureFault l fault

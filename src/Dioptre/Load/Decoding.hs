@@ -2,7 +2,7 @@
 -- Module      : Dioptre.Load.Decoding
 -- Description : Files that make a decoder stumble
 --
--- The decoders of pictures are not ours. On some broken files they throw an exception instead of complaining, and on some they never come to an end; what they throw is then their complaint, and
+-- The decoders of pictures are not ours. On some broken files they throw an exception instead of complaining, and on some they never come to an end; what throws is damaged, and
 -- they may allocate so much memory and no more.
 module Dioptre.Load.Decoding
   ( attempted,
@@ -12,15 +12,14 @@ where
 import Control.Concurrent.Async (waitCatch, withAsync)
 import Control.Exception (AllocationLimitExceeded (..), evaluate, fromException)
 import Data.ByteString (ByteString)
-import Data.Text (Text)
-import qualified Data.Text as Text
 import Dioptre.Picture (Picture)
 import Dioptre.Picture.Header (mostPixelsRead, pixelsOf)
+import Dioptre.Source.Diagnostic (PictureFault (..))
 import System.Mem (enableAllocationLimit, setAllocationCounter)
 
 -- | What a decoder makes of the bytes of a file, or why it makes nothing of them. A thread of its own does the work, for which memory is counted: 2000 bytes for each pixel that the file says to have,
 -- which is more than twice what noise takes in any format (GIF 840, JPEG 710, the others below 170), and 256 MB for small ones.
-attempted :: (ByteString -> Either Text Picture) -> ByteString -> IO (Either Text Picture)
+attempted :: (ByteString -> Either PictureFault Picture) -> ByteString -> IO (Either PictureFault Picture)
 attempted decoder bytes = either (Left . complaint) id <$> withAsync work waitCatch
   where
     work = do
@@ -28,5 +27,5 @@ attempted decoder bytes = either (Left . complaint) id <$> withAsync work waitCa
       enableAllocationLimit
       evaluate (decoder bytes) >>= traverse evaluate
     complaint e = case fromException e of
-      Just AllocationLimitExceeded -> Text.pack "decoding takes too much memory"
-      Nothing -> Text.pack (takeWhile (/= '\n') (show e))
+      Just AllocationLimitExceeded -> TooMuchMemory
+      Nothing -> Damaged

@@ -153,6 +153,6 @@ loadTexture l found =
   once shelfPictures (\m shelf -> shelf {shelfPictures = m}) (foundFile found) . liftIO $
     readPlain path >>= \case
       Left fault -> pure (Left (Unreadable (fileFault l fault)))
-      Right bytes -> first Unreadable <$> attempted (decodeTexture path) bytes
+      Right bytes -> first Undecodable <$> attempted (decodeTexture path) bytes
   where
     path = foundPath found

@@ -22,6 +22,7 @@ module Dioptre.Picture.Header
     pixelsOf,
     mostPixelsRead,
     isTooLarge,
+    mayBeTga,
 
     -- * Numbers in files
     big,
@@ -69,6 +70,13 @@ mostPixelsRead = 67108864
 -- others to fewer.
 isTooLarge :: ByteString -> Bool
 isTooLarge bytes = pixelsOf bytes > min mostPixelsRead (10000 * toInteger (Bytes.length bytes))
+
+-- | Whether the head of a file can be that of a TGA: with or without a palette, of one of the kinds that have pixels, of a depth that there is. No text is like that, as its bytes are larger.
+--
+-- >>> map mayBeTga ["\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\24\0", "a text and no picture"]
+-- [True,False]
+mayBeTga :: ByteString -> Bool
+mayBeTga bytes = Bytes.length bytes >= 18 && big 1 1 bytes <= 1 && big 1 2 bytes `elem` [1, 2, 3, 9, 10, 11] && big 1 16 bytes `elem` [8, 15, 16, 24, 32]
 
 -- | The whole number of so many bytes at a place, the high byte first; what is not there is 0.
 big :: Int -> Int -> ByteString -> Integer

@@ -19,12 +19,11 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
-import Data.Text (Text)
-import qualified Data.Text as Text
 import qualified Data.Vector.Storable as Storable
 import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWidth)
-import Dioptre.Picture.Header (Format (..), formatOf, isTooLarge, pixelsOf)
+import Dioptre.Picture.Header (Format (..), formatOf, isTooLarge, mayBeTga, pixelsOf)
 import Dioptre.Picture.Vetting (vetted)
+import Dioptre.Source.Diagnostic (PictureFault (..))
 import System.FilePath (takeExtension)
 
 -- | A picture as a PNG file: 8 bits a channel, with alpha.
@@ -34,7 +33,7 @@ encode :: Picture -> Lazy.ByteString
 encode p = encodePng (Image (pictureWidth p) (pictureHeight p) (pictureBytes p) :: Image PixelRGBA8)
 
 -- | The picture in a file of any of the formats of "Dioptre.Picture.Header", or why there is none.
-decode :: ByteString -> Either Text Picture
+decode :: ByteString -> Either PictureFault Picture
 decode bytes = decodeWith decoder bytes
   where
     decoder = case formatOf bytes of
@@ -45,16 +44,19 @@ decode bytes = decodeWith decoder bytes
       Tga -> decodeTga
 
 -- | What a decoder makes of a file that is not too large for it.
-decodeWith :: (ByteString -> Either String DynamicImage) -> ByteString -> Either Text Picture
+decodeWith :: (ByteString -> Either String DynamicImage) -> ByteString -> Either PictureFault Picture
 decodeWith decoder bytes
-  | isTooLarge bytes = Left (Text.pack ("the picture would have " <> show (pixelsOf bytes) <> " pixels"))
+  | isTooLarge bytes = Left (unlessForeign (ClaimsPixels (pixelsOf bytes)))
   | otherwise = do
     sound <- vetted bytes
-    either (Left . Text.pack) fromDynamic (decoder sound)
+    either (const (Left (unlessForeign Damaged))) fromDynamic (decoder sound)
+  where
+    -- Whatever has no sign of its own is read as TGA; what cannot be that is no picture at all.
+    unlessForeign fault = if formatOf bytes == Tga && not (mayBeTga bytes) then NoPicture else fault
 
-fromDynamic :: DynamicImage -> Either Text Picture
+fromDynamic :: DynamicImage -> Either PictureFault Picture
 fromDynamic dynamic
-  | w < 1 || h < 1 = Left (Text.pack "no pixels")
+  | w < 1 || h < 1 = Left NoImage
   | otherwise = Right (picture w pixels)
   where
     Image w h pixels = convertRGBA8 dynamic
@@ -62,10 +64,10 @@ fromDynamic dynamic
 -- | The picture in a file of that name, as textures want it: row 0 is at the top, except in a TGA file, whose rows stay in the order
 -- in which it stores them. JuicyPixels turns the rows of a TGA that are stored from the bottom up (bit 5 of byte 17 is 0), so
 -- they are turned back.
-decodeTexture :: FilePath -> ByteString -> Either Text Picture
+decodeTexture :: FilePath -> ByteString -> Either PictureFault Picture
 decodeTexture path bytes
   | map toLower (takeExtension path) /= ".tga" = decode bytes
-  | isCutOff = Left (Text.pack "the file is cut off")
+  | isCutOff = Left (if mayBeTga bytes then CutOff else NoPicture)
   | otherwise = storedOrder <$> decodeWith decodeTga bytes
   where
     storedOrder p

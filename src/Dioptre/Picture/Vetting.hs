@@ -25,12 +25,12 @@ import Data.Bits (shiftR, testBit, xor, (.&.), (.|.))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Text (Text)
 import Data.Word (Word32, Word8)
 import Dioptre.Picture.Header (Format (..), big, formatOf)
+import Dioptre.Source.Diagnostic (PictureFault (..))
 
 -- | The file as its decoder can be given it, or why it cannot. Files of the other formats stay as they are. Linear in the size of the file and in that of its picture.
-vetted :: ByteString -> Either Text ByteString
+vetted :: ByteString -> Either PictureFault ByteString
 vetted bytes = case formatOf bytes of
   Png -> png bytes
   Gif -> gif bytes
@@ -51,7 +51,7 @@ chunks bytes
     size = fromInteger (big 4 0 bytes)
     contents = Bytes.take size (Bytes.drop 8 bytes)
 
-png :: ByteString -> Either Text ByteString
+png :: ByteString -> Either PictureFault ByteString
 png bytes = case chunks (Bytes.drop 8 bytes) of
   Chunk "IHDR" header : rest
     | [depth, kind, 0, 0, interlaced] <- map toInteger (Bytes.unpack (Bytes.drop 8 header)),
@@ -61,8 +61,8 @@ png bytes = case chunks (Bytes.drop 8 bytes) of
           whole = Lazy.fromChunks [c | Chunk "IDAT" c <- rest]
        in if reaches wanted (inflatedPieces whole)
             then Right (Bytes.take 8 bytes <> Bytes.concat (map (written . padded kind depth) (Chunk "IHDR" header : rest)))
-            else Left "the file has fewer pixels than it says"
-  _ -> Left "the file does not say what its pixels are"
+            else Left FewerPixels
+  _ -> Left NoHeader
   where
     -- By the kind of colours: the numbers that each pixel has, and the bits that each of them may have.
     samplesOf = [(0, 1), (2, 3), (3, 1), (4, 2), (6, 4)] :: [(Integer, Integer)]
@@ -115,21 +115,21 @@ crc = xor 0xFFFFFFFF . Bytes.foldl' (\c b -> step 8 (c `xor` fromIntegral b)) 0x
 -- GIF
 
 -- | The header and the first image, with full palettes.
-gif :: ByteString -> Either Text ByteString
+gif :: ByteString -> Either PictureFault ByteString
 gif bytes
-  | Bytes.length bytes < 13 = Left "the file is cut off"
+  | Bytes.length bytes < 13 = Left CutOff
   | otherwise = (\image -> Bytes.concat [withTable 10 (Bytes.take 13 bytes), global, image]) <$> blocks afterTable
   where
     (global, afterTable) = table (byteAt 10 bytes) (Bytes.drop 13 bytes)
     blocks b = case Bytes.uncons b of
       Just (0x21, extension) -> let size = partsSize (Bytes.drop 1 extension) in (Bytes.take (2 + size) b <>) <$> blocks (Bytes.drop (2 + size) b)
       Just (0x2C, _)
-        | Bytes.length codes < 2 -> Left "the file is cut off"
-        | byteAt 0 codes < 1 || byteAt 0 codes > 8 -> Left "the codes have more bits than GIF has"
+        | Bytes.length codes < 2 -> Left CutOff
+        | byteAt 0 codes < 1 || byteAt 0 codes > 8 -> Left LongCodes
         | otherwise -> Right (Bytes.concat [withTable 9 (Bytes.take 10 b), local, Bytes.take (1 + partsSize (Bytes.drop 1 codes)) codes, Bytes.singleton 0x3B])
         where
           (local, codes) = table (byteAt 9 b) (Bytes.drop 10 b)
-      _ -> Left "there is no image in the file"
+      _ -> Left NoImage
     -- The colours that the flags speak of, made 256, and what follows them.
     table flags b
       | testBit flags 7 = let (colours, rest) = Bytes.splitAt (3 * 2 ^ (flags .&. 7 + 1)) b in (blackFrom 256 colours, rest)

@@ -33,7 +33,7 @@ import Control.Monad.Trans.State.Strict (evalStateT, get, modify')
 import Data.Foldable (for_, toList, traverse_)
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe, isJust, listToMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Sequence (Seq, (|>))
 import qualified Data.Sequence as Seq
 import qualified Data.Set as Set
@@ -54,7 +54,7 @@ import Dioptre.Source.Diagnostic (Diagnostic, FileUse (..), Problem (..))
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (Keyword, Role (OpensInScene), role)
 import qualified Dioptre.Syntax.Keyword as Keyword
-import Dioptre.Syntax.Spelling (suggest)
+import Dioptre.Syntax.Spelling (suggestName)
 import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tree, Value (..))
 
 -- | The scene that a tree describes, and all that is wrong with the file, in its order.
@@ -240,12 +240,13 @@ checkMaterialNames names ps = concat <$> evalStateT (traverse step ps) names
     step (block, p) = do
       known <- get
       let name = primitiveMaterial p
-          given = isJust (placeOfValue Keyword.MaterialName block)
+          given = or [headKeyword word == Just Keyword.MaterialName | Statement (Property word _) <- blockNodes block]
       unless given (lift (report (headSpan (blockHead block)) NoMaterialName))
       if name `Set.member` known
         then pure []
         else do
-          when given . lift $
-            report (valueOrHead Keyword.MaterialName block) (MissingMaterial name (suggest (toList names) name))
+          -- A name that is missing altogether has been told.
+          for_ (placeOfValue Keyword.MaterialName block) $ \place ->
+            lift (report place (MissingMaterial name (suggestName (toList names) name)))
           modify' (Set.insert name)
           pure [substitute name]

@@ -86,7 +86,7 @@ checkConfiguration withObjects = runCheck $ do
     tree = foldr asLines [] withObjects
     -- In front of what follows: the depth of objects in objects costs nothing.
     asLines node following = case node of
-      Object (Block word nodes closing) -> asLine word : foldr asLines (ends closing following) nodes
+      Object (Block word _ nodes closing) -> asLine word : foldr asLines (ends closing following) nodes
       _ -> node : following
     ends closing following = case closing of
       ByMisspeltEnd word -> asLine word : following
@@ -101,7 +101,7 @@ checkConfiguration withObjects = runCheck $ do
         report place (RefusedValue (Keyword.spelling word) NameTaken (formExpectation form) (Kept free))
         pure free
       where
-        place = fromMaybe wholeFile (placeOfValue word (Block (Head wholeFile "" Nothing) tree (ByEnd wholeFile)))
+        place = fromMaybe wholeFile (placeOfValue word (Block (Head wholeFile "" Nothing) (Value wholeFile "") tree (ByEnd wholeFile)))
         clashes t = bare t `elem` map bare (Text.pack configurationFile : others)
     -- The name that a file has on the disk: reading leaves out folders, blanks around the name, and case.
     bare = Text.toCaseFold . Text.strip . Text.takeWhileEnd (`notElem` ['/', '\\']) . Text.strip

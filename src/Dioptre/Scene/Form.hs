@@ -174,6 +174,7 @@ wrongCount value wanted found = case drop wanted found of
   where
     guess extra
       | Text.take 1 (tokenText extra) `elem` ["#", "/", "*", "!", "@"] = CommentBehind
+      | any (Text.all (`elem` ("=:;" :: String)) . tokenText) found = SignsAround
       | commaInNumber (valueText value) = CommaInNumber
       | otherwise = NoGuess
 

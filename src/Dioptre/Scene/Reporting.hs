@@ -1,4 +1,5 @@
 {-# LANGUAGE LambdaCase #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Scene.Reporting
@@ -20,7 +21,6 @@ module Dioptre.Scene.Reporting
   )
 where
 
-import Control.Applicative ((<|>))
 import Control.Monad.Trans.Writer.CPS (Writer, runWriter, tell)
 import Data.Foldable (toList)
 import Data.List (mapAccumL, sortOn)
@@ -29,9 +29,9 @@ import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
-import Dioptre.Syntax.Keyword (Keyword, allSpellings, spelling, spellings)
-import Dioptre.Syntax.Spelling (suggest)
-import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..))
+import Dioptre.Syntax.Keyword (Keyword, spelling, spellings)
+import Dioptre.Syntax.Spelling (suggestWord)
+import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..), Value (..))
 import qualified Dioptre.Syntax.Tree as Tree
 
 -- | Checking collects diagnostics on its way.
@@ -57,7 +57,10 @@ sparingly n (Diagnostic place problem) = case problem of
 -- passed over, with all that is in it.
 passOver :: Maybe Text -> [Keyword] -> Block -> Check ()
 passOver object words' block =
-  report (headSpan (blockHead block)) (misfit object words' (blockHead block) (TheObject (lastLine block)))
+  report (headSpan (blockHead block)) (misfit object words' (blockHead block) "" passed)
+  where
+    -- An object of one line is that line.
+    passed = if lastLine block > spanLine (headSpan (blockHead block)) then TheObject (lastLine block) else TheLine
 
 -- | The last line that belongs to a block.
 lastLine :: Block -> Int
@@ -73,18 +76,18 @@ lastLine block = case blockClosing block of
       LooseEnd word -> spanLine (headSpan word)
       OpenComment place -> spanLine place
 
--- | What is wrong with a word that is none of those that may stand there.
-misfit :: Maybe Text -> [Keyword] -> Head -> PassedOver -> Problem
-misfit object words' word passed = case headKeyword word of
+-- | What is wrong with a word that is none of those that may stand there, and has this behind it.
+misfit :: Maybe Text -> [Keyword] -> Head -> Text -> PassedOver -> Problem
+misfit object words' word following passed = case headKeyword word of
   Just _ -> MisplacedWord (headText word) object (map spelling words') passed
   Nothing -> UnknownWord (headText word) (map spelling words') guess passed
   where
-    guess = suggest (concatMap (toList . spellings) words') (headText word) <|> suggest allSpellings (headText word)
+    guess = suggestWord (concatMap (toList . spellings) words') (headText word) following
 
 -- | One thing at the level of the file, where these words may stand.
 item :: [Keyword] -> (a -> Block -> Check a) -> a -> Node -> Check a
 item words' into draft = \case
   Object block -> into draft block
-  Statement p -> draft <$ report (headSpan (Tree.propertyHead p)) (misfit Nothing words' (Tree.propertyHead p) TheLine)
+  Statement p -> draft <$ report (headSpan (Tree.propertyHead p)) (misfit Nothing words' (Tree.propertyHead p) (valueText (Tree.propertyValue p)) TheLine)
   LooseEnd word -> draft <$ report (headSpan word) (StrayEnd (headText word))
   OpenComment place -> draft <$ report place UnclosedComment

@@ -1,4 +1,5 @@
 {-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Scene.Schema
@@ -40,6 +41,7 @@ module Dioptre.Scene.Schema
 where
 
 import Control.Monad (foldM)
+import Data.Either (isRight)
 import Data.Foldable (for_, toList)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
@@ -53,10 +55,11 @@ import Dioptre.Scene.Form (Form (..), decimalsBehindComma)
 import Dioptre.Scene.Reporting (Check, misfit, passOver, report)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..), wholeFile, width)
-import Dioptre.Syntax.Keyword (Keyword (Camera, End, Raytracer, Viewport), isShape)
+import Dioptre.Syntax.Keyword (Keyword (Camera, End, Raytracer, Viewport), fromSpelling, isShape)
 import Dioptre.Syntax.Print (Outline (..))
 import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..), Value (..))
 import qualified Dioptre.Syntax.Tree as Tree
+import Dioptre.Syntax.Value (Token (..), real, tokens)
 
 -- | How objects @b@ are read and written, by way of a draft @a@ that holds the values of their properties before it is known whether they fit
 -- together.
@@ -120,6 +123,7 @@ data Progress a = Progress
 -- | The object that a block of the tree describes; 'Nothing' if its values make none, which has been reported.
 readObject :: Schema a b -> Block -> Check (Maybe b)
 readObject schema block = do
+  reportRest schema block
   progress <- foldM (readNode schema object) (Progress (schemaDraft schema) IntMap.empty False) (blockNodes block)
   reportClosing block
   case schemaBuild schema (draft progress) of
@@ -137,12 +141,12 @@ readObject schema block = do
 -- | The object that a whole file describes, without a word that opens it or an @end@.
 readWholeFile :: Schema a b -> Text -> [Node] -> Check (Maybe b)
 readWholeFile schema name nodes =
-  readObject schema (Block (Head wholeFile name Nothing) nodes (ByEnd wholeFile))
+  readObject schema (Block (Head wholeFile name Nothing) (Value wholeFile "") nodes (ByEnd wholeFile))
 
 readNode :: Schema a b -> Text -> Progress a -> Node -> Check (Progress a)
 readNode schema object progress node = case node of
   Statement p -> case headKeyword (Tree.propertyHead p) >>= propertyOf schema of
-    Nothing -> progress <$ report (headSpan (Tree.propertyHead p)) (misfit (Just object) (admissible schema) (Tree.propertyHead p) TheLine)
+    Nothing -> progress <$ report (headSpan (Tree.propertyHead p)) (misfit (Just object) (admissible schema) (Tree.propertyHead p) (valueText (Tree.propertyValue p)) TheLine)
     Just (index, property) -> do
       let k = IntMap.findWithDefault 0 index (given progress)
       filled <- fill property k (draft progress) p
@@ -182,6 +186,17 @@ fill (Property _ form slots) k before p = case slotFor of
     -- A value that is not there is missed at its word.
     orWord place = if width place == 0 then headSpan word else place
 
+-- | Reports what stands behind the word that opens a block and looks as if it were to be read: a property of the object, or the number that a shape is to have.
+reportRest :: Schema a b -> Block -> Check ()
+reportRest schema block = case tokens (blockRest block) of
+  token : _
+    | isProperty (tokenText token) || isShape (schemaKeyword schema) && isRight (real (tokenText token)) ->
+      report (tokenSpan token) (BehindOpening object (tokenText token))
+  _ -> pure ()
+  where
+    object = headText (blockHead block)
+    isProperty t = isJust (fromSpelling t >>= propertyOf schema)
+
 -- | Reports what is odd about the end of a block.
 reportClosing :: Block -> Check ()
 reportClosing block = case blockClosing block of
@@ -192,13 +207,14 @@ reportClosing block = case blockClosing block of
   where
     missing by = report (headSpan (blockHead block)) (MissingEnd (headText (blockHead block)) by)
 
--- | Where the value of a property stands in a block: of its last occurrence, as that is the one that counts.
+-- | Where the value of a property stands in a block: of its last occurrence that has one.
 placeOfValue :: Keyword -> Block -> Maybe Span
 placeOfValue word block =
   listToMaybe
     [ valueSpan (Tree.propertyValue p)
       | Statement p <- reverse (blockNodes block),
-        headKeyword (Tree.propertyHead p) == Just word
+        headKeyword (Tree.propertyHead p) == Just word,
+        width (valueSpan (Tree.propertyValue p)) > 0
     ]
 
 -- | The object in the scene language, every property written out.

@@ -40,6 +40,7 @@ module Dioptre.Source.Diagnostic
     -- * Files
     FileUse (..),
     FileTrouble (..),
+    PictureFault (..),
   )
 where
 
@@ -73,6 +74,8 @@ data Problem
     MissingEnd Text (Maybe (Text, Int))
   | -- | A block comment that is never closed.
     UnclosedComment
+  | -- | What stands behind the word that opens an object and looks as if it were to be read: that word, and what it begins with.
+    BehindOpening Text Text
   | -- | A value that cannot be used: of which property, why, what was expected, what is used instead.
     RefusedValue Text Refusal Expectation Instead
   | -- | A property given more often than it can be: which, and how often it can.
@@ -211,6 +214,8 @@ data Guess
     CommentBehind
   | -- | A comma stands between two digits.
     CommaInNumber
+  | -- | One of the values is a sign such as @=@.
+    SignsAround
   deriving stock (Eq, Show)
 
 -- | What a property has when its value cannot be used.
@@ -313,6 +318,30 @@ data FileTrouble
     SeveralFiles [FilePath]
   | -- | There is one, but it cannot be read, in the words of who tried.
     Unreadable Text
+  | -- | There is one, but it is no picture that can be read, and why.
+    Undecodable PictureFault
+  deriving stock (Eq, Show)
+
+-- | Why a file is no picture that can be read.
+data PictureFault
+  = -- | It is in none of the formats.
+    NoPicture
+  | -- | It says that it has so many pixels, which are too many, or more than it can have.
+    ClaimsPixels Integer
+  | -- | It has fewer pixels than it says.
+    FewerPixels
+  | -- | It does not say what its pixels are.
+    NoHeader
+  | -- | It ends in the middle.
+    CutOff
+  | -- | It has no image in it, or one without pixels.
+    NoImage
+  | -- | The codes of a GIF have more bits than GIF has.
+    LongCodes
+  | -- | Decoding it takes too much memory.
+    TooMuchMemory
+  | -- | Its decoder did not get through.
+    Damaged
   deriving stock (Eq, Show)
 
 -- | How much a problem matters.
@@ -324,6 +353,7 @@ severity = \case
   MisspeltEnd {} -> Error
   MissingEnd {} -> Error
   UnclosedComment -> Error
+  BehindOpening {} -> Warning
   RefusedValue {} -> Error
   RepeatedProperty {} -> Error
   SecondShape {} -> Error
@@ -371,6 +401,7 @@ code = \case
   MisspeltEnd {} -> "misspelt-end"
   MissingEnd {} -> "missing-end"
   UnclosedComment -> "unclosed-comment"
+  BehindOpening {} -> "behind-opening"
   RefusedValue _ refusal _ _ -> refusalCode refusal
   RepeatedProperty {} -> "repeated-property"
   SecondShape {} -> "second-shape"
@@ -408,6 +439,7 @@ code = \case
     NoSuchFile _ -> "missing-file"
     SeveralFiles _ -> "several-files"
     Unreadable _ -> "unreadable-file"
+    Undecodable _ -> "unreadable-file"
   SamplingWithoutRandom {} -> "sampling-without-random"
   Departs departure -> departureCode departure
 

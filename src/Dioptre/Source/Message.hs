@@ -13,15 +13,18 @@ module Dioptre.Source.Message
     used,
     severityName,
     expectation,
+    pictureFault,
   )
 where
 
+import Data.Char (GeneralCategory (..), generalCategory, isDigit, ord, toUpper)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Dioptre.Source.DepartureMessage (here, originally)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Phrase (brief, counted, number, quoted, showReal)
+import Numeric (showHex)
 
 -- | The name of a severity.
 severityName :: Language -> Severity -> Text
@@ -34,7 +37,7 @@ severityName l = \case
 message :: Language -> Problem -> Text
 message l = \case
   UnknownWord w _ guess _ ->
-    say ["unknown word ", quoted w, meant guess] ["mot inconnu\xA0: ", quoted w, meant guess]
+    say ["unknown word ", quoted w, strange w, meant guess] ["mot inconnu\xA0: ", quoted w, strange w, meant guess]
   MisplacedWord w object _ _ ->
     say
       [quoted w, maybe " cannot stand here" (\o -> " is not a word of " <> quoted o) object]
@@ -51,6 +54,15 @@ message l = \case
     say
       ["this comment is never closed: a line that begins with '*/' would close it"]
       ["ce commentaire n'est jamais fermé\xA0: une ligne qui commence par '*/' le fermerait"]
+  BehindOpening object w ->
+    say
+      [quoted w, " is not read behind ", quoted object, ": a property has a line of its own"]
+      [quoted w, " n'est pas lu derrière ", quoted object, "\xA0: une propriété a sa propre ligne"]
+  RefusedValue _ (NoSuchChoice t _) (AColour _) _
+    | Text.any isDigit (Text.take 2 t) ->
+      say
+        [quoted t, " is the name of no colour; a colour in numbers takes three of them, or four"]
+        [quoted t, " n'est le nom d'aucune couleur\xA0; en nombres, une couleur en prend trois ou quatre"]
   RefusedValue w refusal _ _ -> refused l w refusal
   RepeatedProperty w n ->
     say [quoted w, " is given more than ", times n] [quoted w, " est donné plus de ", times n]
@@ -65,8 +77,8 @@ message l = \case
     say ["this primitive names no material"] ["cette primitive ne nomme pas de matériel"]
   MissingMaterial name guess ->
     say
-      ["no material is called ", quoted name, meant guess]
-      ["aucun matériel ne s'appelle ", quoted name, meant guess]
+      ["no material is called ", withBlanks l name, maybe "" (\g -> "; did you mean " <> withBlanks l g <> "?") guess]
+      ["aucun matériel ne s'appelle ", withBlanks l name, maybe "" (\g -> "\xA0; vouliez-vous dire " <> withBlanks l g <> "\xA0?") guess]
   RepeatedMaterial name n ->
     say
       ["a material is called ", quoted name, " already, on line ", number n]
@@ -74,7 +86,7 @@ message l = \case
   ReplacedObject object n ->
     say
       [quoted object, " replaces the one on line ", number n]
-      [quoted object, " remplace celui de la ligne ", number n]
+      [quoted object, " prend la place de l'objet de la ligne ", number n]
   NoModelFile ->
     say ["this model names no file"] ["ce modèle ne nomme pas de fichier"]
   UnknownModelFormat name ->
@@ -138,14 +150,15 @@ message l = \case
   UnusableFile name _ trouble -> case trouble of
     NoSuchFile folders ->
       say
-        ["no file is called ", quoted name, " in ", folderList folders]
-        ["aucun fichier ne s'appelle ", quoted name, " dans ", folderList folders]
+        ["no file is called ", quoted name, " in ", Text.intercalate ", " (map folderName folders)]
+        ["aucun fichier ne s'appelle ", quoted name, " dans ", Text.intercalate ", " (map folderName folders)]
     SeveralFiles paths ->
       say
         ["several files are called ", quoted name, ": ", folderList paths]
         ["plusieurs fichiers s'appellent ", quoted name, "\xA0: ", folderList paths]
     Unreadable complaint ->
       say [quoted name, " cannot be read: ", complaint] [quoted name, " ne peut pas être lu\xA0: ", complaint]
+    Undecodable fault -> quoted name <> inLanguage l ": " "\xA0: " <> pictureFault l fault
   SamplingWithoutRandom n ->
     say
       ["the ", number n, " rays of a pixel all go through the same point of it, as 'pixel_coordinate' is not 'random': this takes time and changes nothing"]
@@ -153,7 +166,12 @@ message l = \case
   Departs departure -> originally l departure
   where
     say en fr = Text.concat (inLanguage l en fr)
-    meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> "?")
+    meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> inLanguage l "?" "\xA0?")
+    strange = maybe "" (inLanguage l ", which holds " ", qui contient " <>) . oddity l
+    folderName folder
+      | folder == "." = inLanguage l "the working directory" "le répertoire courant"
+      | folder == "./..." = inLanguage l "any folder below" "tout dossier plus bas"
+      | otherwise = Text.pack folder
     folderList = Text.intercalate ", " . map Text.pack
     chain = Text.intercalate " > " . map Text.pack
     before n = counted l n ("stands", "stand") ("précède", "précèdent") <> inLanguage l " before this line" " cette ligne"
@@ -188,9 +206,7 @@ brokenCurve l = \case
       ["a curve has three rows of numbers (x, y, z), of which ", number n, if n == 1 then " is missing" else " are missing"]
       ["une courbe a trois lignes de nombres (x, y, z), dont il manque ", number n]
   RowsDiffer found wanted ->
-    say
-      [number found, " numbers, where the row of x has ", number wanted]
-      [number found, " nombres, où la ligne de x en a ", number wanted]
+    counted l found ("number", "numbers") ("nombre", "nombres") <> inLanguage l ", where the row of x has " ", où la ligne de x en a " <> number wanted
   RowRefused refusal -> refused l "" refusal
   where
     say en fr = Text.concat (inLanguage l en fr)
@@ -198,18 +214,18 @@ brokenCurve l = \case
 refused :: Language -> Text -> Refusal -> Text
 refused l w = \case
   NothingThere -> say [quoted w, " has no value"] [quoted w, " n'a pas de valeur"]
-  NotANumber t -> say [quoted t, " is not a number"] [quoted t, " n'est pas un nombre"]
-  NotAnInteger t -> say [quoted t, " is not an integer"] [quoted t, " n'est pas un entier"]
+  NotANumber t -> say [quoted t, " is not a number", signs t] [quoted t, " n'est pas un nombre", signs t]
+  NotAnInteger t -> say [quoted t, " is not an integer", signs t] [quoted t, " n'est pas un entier", signs t]
   TooLarge t -> say [quoted t, " is too large"] [quoted t, " est trop grand"]
   OutOfRange t -> say [quoted t, " is out of range for ", quoted w] [quoted t, " est hors des limites de ", quoted w]
   WrongCount wanted found guess ->
     say
-      [number found, " values, where ", quoted w, " takes ", number wanted, guessed guess]
-      [number found, " valeurs, où ", quoted w, " en prend ", number wanted, guessed guess]
+      [counted l found ("value", "values") ("valeur", "valeurs"), ", where ", quoted w, " takes ", number wanted, guessed guess]
+      [counted l found ("value", "values") ("valeur", "valeurs"), ", où ", quoted w, " en prend ", number wanted, guessed guess]
   NoSuchChoice t guess ->
     say
-      [quoted t, " means nothing to ", quoted w, maybe "" (\g -> "; did you mean " <> quoted g <> "?") guess]
-      [quoted t, " ne dit rien à ", quoted w, maybe "" (\g -> "\xA0; vouliez-vous dire " <> quoted g <> "?") guess]
+      [quoted t, " means nothing to ", quoted w, maybe "" (\g -> "; did you mean " <> quoted g <> "?") guess, signs t]
+      [quoted t, " ne dit rien à ", quoted w, maybe "" (\g -> "\xA0; vouliez-vous dire " <> quoted g <> "\xA0?") guess, signs t]
   UnsafeName ->
     say
       ["a name here holds no '/', '\\' or control character: the file goes to the working directory"]
@@ -228,6 +244,12 @@ refused l w = \case
       NoGuess -> ""
       CommentBehind -> inLanguage l "; a comment needs a line of its own" "\xA0; un commentaire doit avoir sa propre ligne"
       CommaInNumber -> inLanguage l "; a comma separates values, decimals follow a point" "\xA0; une virgule sépare des valeurs, les décimales suivent un point"
+      SignsAround -> withoutSigns
+    -- What may be wrong with what is no number, or no such word.
+    signs t = case oddity l t of
+      Just o -> inLanguage l "; it holds " "\xA0; il contient " <> o
+      Nothing -> if Text.any (`elem` ("=:;" :: String)) t then withoutSigns else ""
+    withoutSigns = inLanguage l "; values follow their word, without '=', ':' or ';'" "\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"
 
 flawed :: Language -> Text -> Flaw -> Text
 flawed l object = \case
@@ -253,6 +275,46 @@ flawed l object = \case
   where
     say en fr = quoted object <> " " <> inLanguage l en fr
 
+-- | A name in quotation marks; blanks at its end, which are not seen, are counted.
+withBlanks :: Language -> Text -> Text
+withBlanks l t = quoted t <> if blanks == 0 then "" else inLanguage l " with " " avec " <> counted l blanks ("blank", "blanks") ("blanc", "blancs") <> inLanguage l " at its end" " à la fin"
+  where
+    blanks = Text.length t - Text.length (Text.stripEnd t)
+
+-- | What in a word is not what it looks like, or is not seen at all: the first such character.
+oddity :: Language -> Text -> Maybe Text
+oddity l t
+  | Text.any (== '\0') t = Just (inLanguage l "NUL characters, as UTF-16 has them: save the file as UTF-8" "des caractères NUL, comme en UTF-16\xA0: enregistrez le fichier en UTF-8")
+  | otherwise = case [(c, en, fr) | c <- Text.unpack t, Just (en, fr) <- [named c]] of
+    (c, en, fr) : _ -> Just (inLanguage l en fr <> " (U+" <> Text.justifyRight 4 '0' (Text.pack (map toUpper (showHex (ord c) ""))) <> ")")
+    [] -> Nothing
+  where
+    named c
+      | c == '-' || c == ' ' = Nothing
+      | c == '\x2212' = Just ("a minus sign that is not '-'", "un signe moins qui n'est pas '-'")
+      | c `elem` ("\xA0\x2007\x202F" :: String) = Just ("a no-break space", "une espace insécable")
+      | otherwise = case generalCategory c of
+        DashPunctuation -> Just ("a dash that is not '-'", "un tiret qui n'est pas '-'")
+        Space -> Just ("a space that is not the usual one", "une espace qui n'est pas l'espace ordinaire")
+        Format -> Just ("an invisible character", "un caractère invisible")
+        Control -> Just ("a control character", "un caractère de contrôle")
+        _ -> Nothing
+
+-- | Why a file is no picture.
+pictureFault :: Language -> PictureFault -> Text
+pictureFault l = \case
+  NoPicture -> say "this is no png, jpg, gif, bmp or tga picture" "ce n'est pas une image png, jpg, gif, bmp ou tga"
+  ClaimsPixels n -> say ("this picture would have " <> number n <> " pixels, too many for its file or for any") ("cette image aurait " <> number n <> " pixels, trop pour son fichier ou pour tout autre")
+  FewerPixels -> say "this picture has fewer pixels than it says" "cette image a moins de pixels qu'elle ne le dit"
+  NoHeader -> say "this picture does not say what its pixels are" "cette image ne dit pas ce que sont ses pixels"
+  CutOff -> say "this picture is cut off" "cette image est tronquée"
+  NoImage -> say "there is no image in this file" "il n'y a pas d'image dans ce fichier"
+  LongCodes -> say "the codes of this picture have more bits than GIF has" "les codes de cette image ont plus de bits que GIF n'en a"
+  TooMuchMemory -> say "decoding this picture takes too much memory" "décoder cette image prend trop de mémoire"
+  Damaged -> say "this picture is damaged, or of a kind that is not read" "cette image est abîmée, ou d'une sorte qui n'est pas lue"
+  where
+    say = inLanguage l
+
 -- | What was expected, where that can be said.
 expected :: Language -> Problem -> Maybe Text
 expected l = \case
@@ -262,6 +324,7 @@ expected l = \case
   MisspeltEnd _ -> Just "'end'"
   MissingEnd _ _ -> Just "'end'"
   UnclosedComment -> Just "'*/'"
+  BehindOpening object _ -> Just (inLanguage l ("the end of the line, and the properties of " <> quoted object <> " below it") ("la fin de la ligne, et les propriétés de " <> quoted object <> " en dessous"))
   RefusedValue _ _ wanted _ -> Just (expectation l wanted)
   RepeatedProperty {} -> Nothing
   SecondShape _ -> Just (inLanguage l "one shape" "une seule géométrie")
@@ -337,13 +400,14 @@ used l = \case
   StrayEnd _ -> say "nothing: it is passed over" "rien\xA0: il est ignoré"
   MisspeltEnd _ -> Just "end"
   MissingEnd _ _ -> say "what was read of it" "ce qui en a été lu"
+  BehindOpening {} -> say "nothing: the rest of the line is passed over" "rien\xA0: le reste de la ligne est ignoré"
   UnclosedComment -> say "nothing: the rest of the file is passed over" "rien\xA0: le reste du fichier est ignoré"
   RefusedValue _ _ _ TheDefault -> say "the default" "la valeur par défaut"
   RefusedValue _ _ _ (Kept value) -> Just value
   RepeatedProperty {} -> say "the values before it" "les valeurs précédentes"
   SecondShape _ -> say "the first one" "la première"
-  ImpossibleObject _ _ LeftOut -> say "nothing: it is left out" "rien\xA0: il est omis"
-  ImpossibleObject _ _ Superseded -> say "the one before it, or the default" "celui d'avant, ou celui par défaut"
+  ImpossibleObject _ _ LeftOut -> say "nothing: it is left out" "rien\xA0: cet objet est omis"
+  ImpossibleObject _ _ Superseded -> say "the one before it, or the default" "l'objet d'avant, ou celui par défaut"
   DecimalComma _ t -> Just t
   NoMaterialName -> say "'none'" "'none'"
   MissingMaterial {} -> say "a grey material" "un matériel gris"

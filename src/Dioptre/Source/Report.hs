@@ -45,7 +45,7 @@ type Style = AnsiStyle
 pretty :: Language -> Source -> Diagnostic -> Doc Style
 pretty l source (Diagnostic place problem) =
   Doc.vsep $
-    (annotate bold (Doc.pretty (safe (Text.pack (sourceName source))) <> at) <> " " <> hang 4 (annotate shade (Doc.pretty (severityName l level) <> ":") <> " " <> annotate bold (Doc.pretty (safe (message l problem)))) <> "  " <> Doc.pretty ("[" <> code problem <> "]")) :
+    (annotate bold (Doc.pretty (safe (Text.pack (sourceName source))) <> at) <> " " <> hang 4 (annotate shade (Doc.pretty (severityName l level <> inLanguage l ":" "\xA0:")) <> " " <> annotate bold (Doc.pretty (safe (message l problem)))) <> "  " <> Doc.pretty ("[" <> code problem <> "]")) :
     [excerpt source place shade | width place > 0]
       <> catMaybes
         [ labelled (inLanguage l "expected:" "attendu\xA0:") <$> expected l problem,

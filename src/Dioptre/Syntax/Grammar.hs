@@ -79,7 +79,7 @@ file = many (openComment <|> LooseEnd <$> endLine <|> Object <$> block <|> State
 
 -- | block = opening *item closing
 block :: Lines Block
-block = Block <$> opening <*> many item <*> closing
+block = uncurry Block <$> opening <*> many item <*> closing
   where
     item = openComment <|> notFollowedBy (sceneWord <|> endLine) *> (Object <$> block <|> Statement <$> property)
 
@@ -89,9 +89,9 @@ closing = byEnd <$> endLine <|> BySceneWord <$> lookAhead sceneWord <|> pure ByE
   where
     byEnd word = maybe (ByMisspeltEnd word) (const (ByEnd (headSpan word))) (headKeyword word)
 
--- | opening = a line whose word opens an object (what follows the word is ignored), or an unknown word alone on its line
-opening :: Lines Head
-opening = line $ \word value -> case role <$> headKeyword word of
+-- | opening = a line whose word opens an object (what follows the word says nothing), or an unknown word alone on its line
+opening :: Lines (Head, Value)
+opening = says $ \word value -> case role <$> headKeyword word of
   Just OpensInScene -> True
   Just OpensInside -> True
   Just _ -> False

@@ -45,6 +45,8 @@ data Node
 -- | An object: the word that opens it, what stands in it, and how it ends.
 data Block = Block
   { blockHead :: Head,
+    -- | What stands behind that word on its line, and says nothing.
+    blockRest :: Value,
     blockNodes :: [Node],
     blockClosing :: Closing
   }

@@ -17,6 +17,7 @@ import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 import Dioptre.Picture (pictureBytes, pictureHeight, pictureWidth)
 import Dioptre.Picture.Png (decodeTexture)
+import Dioptre.Source.Diagnostic (PictureFault (NoPicture))
 import Test.Hspec (Spec, describe, it, shouldBe, shouldSatisfy)
 
 spec :: Spec
@@ -31,6 +32,8 @@ spec = describe "decodeTexture" $ do
       decoded (tga 10 24 descriptor [[0x00, 10, 20, 30], [0x80, 40, 50, 60]]) `shouldBe` Right (1, 2, [30, 20, 10, 255, 60, 50, 40, 255])
   it "refuses what is no picture" $
     forM_ ["a.tga", "a.png", "a.gif", "a.jpg"] $ \path -> decodeTexture path "no picture at all" `shouldSatisfy` isLeft
+  it "knows a text from a picture, also one that would have very many pixels" $
+    forM_ ["a.tga", "a.png", "a.txt"] $ \path -> either Just (const Nothing) (decodeTexture path "camera\n  position 0 0 0\n  angle 20\nend\n") `shouldBe` Just NoPicture
   it "refuses a picture that is cut off" $
     decodeTexture "a.tga" (Bytes.take 20 (tga 2 24 0 [[1, 2, 3], [4, 5, 6]])) `shouldSatisfy` isLeft
   where

@@ -22,6 +22,8 @@ import Dioptre.Scene.Primitive (Primitive (..))
 import Dioptre.Scene.Raytracer (defaultRaytracer)
 import Dioptre.Scene.Unchecked (Scene (..))
 import Dioptre.Source.Diagnostic
+import Dioptre.Source.Language (Language (..))
+import Dioptre.Source.Message (message, used)
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Syntax.Keyword (allSpellings, fromSpelling, role, spelling)
 import qualified Dioptre.Syntax.Keyword as Keyword
@@ -40,6 +42,7 @@ spec = do
   values
   flaws
   notes
+  wording
   it "knows every word that opens an object of the scene" $
     sort (map spelling sceneWords)
       `shouldBe` sort ["camera", "viewport", "raytracer", "primitive", "material", "texture_material", "ambient_light", "directional_light", "point_light", "linear_aperture_light", "rectangular_aperture_light", "elliptical_aperture_light", "aperture_mask_light", "model"]
@@ -274,6 +277,64 @@ materials = describe "a material" $ do
     map materialKd (sceneMaterials (sceneOf text)) `shouldBe` [0.25, 0.5, 0.8]
   it "without a name is called none" $
     ["material", "end", "material", "end"] `saysOf` [at 3 1 9 (RepeatedMaterial "none" 1)]
+
+-- | What is told of a text, notes left out, in English and in French.
+isTold :: [Text] -> [(Text, Text)] -> IO ()
+isTold text wanted =
+  [(message English p, message French p) | p <- map diagnosticProblem (readingDiagnostics (readLines text)), severity p > Note] `shouldBe` wanted
+
+wording :: Spec
+wording = describe "what is told" $ do
+  it "proposes nothing for a single sign, and only words of the place" $ do
+    ["camera", "} 1", "ÿ 1", "up 0 1 0", "end"] `isTold` [("unknown word '}'", "mot inconnu\xA0: '}'"), ("unknown word 'ÿ'", "mot inconnu\xA0: 'ÿ'")]
+    ["material", "name a", ". 1", "x 1", "end"] `isTold` [("unknown word '.'", "mot inconnu\xA0: '.'"), ("unknown word 'x'", "mot inconnu\xA0: 'x'")]
+    ["sphre 1"] `isTold` [("unknown word 'sphre'", "mot inconnu\xA0: 'sphre'")]
+  it "proposes a word that was written with accents, blanks or other signs, or in another order" $ do
+    ["lumière ponctuelle"] `isTold` [("unknown word 'lumière'; did you mean 'lumiere_ponctuelle'?", "mot inconnu\xA0: 'lumière'\xA0; vouliez-vous dire 'lumiere_ponctuelle'\xA0?")]
+    let guess text = [g | UnknownWord _ _ g _ <- map diagnosticProblem (readingDiagnostics (readLines text))]
+    map (guess . pure) ["lumière directionnelle", "lumiere", "materiel_texture", "camera{", "Matériel"]
+      `shouldBe` map (pure . Just) ["lumiere_directionnelle", "lumiere_ponctuelle", "texture_materiel", "camera", "materiel"]
+    map (\line -> guess ["camera", line, "end"]) ["look at 0 0 1", "angle=60", "angle:60", "position[0,0,1] x", "angle\xA0\&60"]
+      `shouldBe` map (pure . Just) ["look_at", "angle 60", "angle 60", "position [0,0,1]", "angle 60"]
+    map (\line -> guess (primitive ["torus", line, "end"])) ["rayon_majeur 2", "rayon_mineur 2"] `shouldBe` map (pure . Just) ["major_radius", "minor_radius"]
+  it "is of a name that is missing that alone" $
+    ["primitive", "  material_name", "  sphere", "  end", "end"] `isTold` [("'material_name' has no value", "'material_name' n'a pas de valeur")]
+  it "is of a name that is taken the line that has it" $
+    ["material", "nom a", "kd 0.5", "name", "end", "material", "nom a", "end"]
+      `isTold` [ ("'name' has no value", "'name' n'a pas de valeur"),
+                 ("a material is called 'a' already, on line 2", "un matériel s'appelle déjà 'a', à la ligne 2")
+               ]
+  it "proposes a name that differs by case and by blanks at its end, which are counted" $ do
+    let named n = ["material", "name café  ", "end", "primitive", "material_name " <> n, "sphere", "end", "end"]
+    named "café"
+      `isTold` [("no material is called 'café'; did you mean 'café  ' with 2 blanks at its end?", "aucun matériel ne s'appelle 'café'\xA0; vouliez-vous dire 'café  ' avec 2 blancs à la fin\xA0?")]
+    named "CAFÉ "
+      `isTold` [("no material is called 'CAFÉ ' with 1 blank at its end; did you mean 'café  ' with 2 blanks at its end?", "aucun matériel ne s'appelle 'CAFÉ ' avec 1 blanc à la fin\xA0; vouliez-vous dire 'café  ' avec 2 blancs à la fin\xA0?")]
+  it "names characters that are not seen, or are not what they look like" $ do
+    primitive ["sphere", "ray\xA0\&2 x", "end"]
+      `isTold` [("unknown word 'ray\xA0\&2', which holds a no-break space (U+00A0); did you mean 'ray 2'?", "mot inconnu\xA0: 'ray\xA0\&2', qui contient une espace insécable (U+00A0)\xA0; vouliez-vous dire 'ray 2'\xA0?")]
+    ["camera", "position 0 0 \x2212\&5.0", "end"]
+      `isTold` [("'\x2212\&5.0' is not a number; it holds a minus sign that is not '-' (U+2212)", "'\x2212\&5.0' n'est pas un nombre\xA0; il contient un signe moins qui n'est pas '-' (U+2212)")]
+    ["ÿþc\NULa\NULm\NUL 1"]
+      `isTold` [("unknown word 'ÿþc\NULa\NULm\NUL', which holds NUL characters, as UTF-16 has them: save the file as UTF-8", "mot inconnu\xA0: 'ÿþc\NULa\NULm\NUL', qui contient des caractères NUL, comme en UTF-16\xA0: enregistrez le fichier en UTF-8")]
+  it "counts in the singular, and knows signs that do not belong to values" $ do
+    ["camera", "up 1", "position = [1, 2, 3];", "angle = 60", "end"]
+      `isTold` [ ("1 value, where 'up' takes 3", "1 valeur, où 'up' en prend 3"),
+                 ("5 values, where 'position' takes 3; values follow their word, without '=', ':' or ';'", "5 valeurs, où 'position' en prend 3\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"),
+                 ("'=' is not a number; values follow their word, without '=', ':' or ';'", "'=' n'est pas un nombre\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'")
+               ]
+    ["material", "color 1 1", "color bleue", "end"]
+      `isTold` [ ("'1' is the name of no colour; a colour in numbers takes three of them, or four", "'1' n'est le nom d'aucune couleur\xA0; en nombres, une couleur en prend trois ou quatre"),
+                 ("'bleue' means nothing to 'color'; did you mean 'bleu'?", "'bleue' ne dit rien à 'color'\xA0; vouliez-vous dire 'bleu'\xA0?")
+               ]
+  it "is of an object of one line that this line is passed over" $
+    [used l (diagnosticProblem d) | l <- [English, French], d <- readingDiagnostics (readLines ["camera", "end", "", "", "bogus"])]
+      `shouldBe` [Just "nothing: the line is passed over", Just "rien\xA0: la ligne est ignorée"]
+  it "is of an object whether it has a property or a number behind its word, and of nothing else there" $ do
+    primitive ["material_name none", "sphere ray 3", "end"] `isTold` [("'ray' is not read behind 'sphere': a property has a line of its own", "'ray' n'est pas lu derrière 'sphere'\xA0: une propriété a sa propre ligne")]
+    (filter ((== "behind-opening") . code . diagnosticProblem) . readingDiagnostics . readLines) (primitive ["sphere (3)", "end"]) `shouldBe` [at 2 9 10 (BehindOpening "sphere" "3")]
+    ["camera Angle 20", "end"] `saysOf` [at 1 8 13 (BehindOpening "camera" "Angle")]
+    for_ [["camera # angle", "end"], ["camera the angle", "end"], ["camera 2", "end"], ["camera ray", "end"]] $ \text -> text `saysOf` []
 
 values :: Spec
 values = describe "a value" $ do

@@ -24,7 +24,7 @@ spec = do
     it "has the code that it always had" $
       nub (sort (map code problems))
         `shouldBe` sort
-          ( ["unknown-word", "misplaced-word", "stray-end", "misspelt-end", "missing-end", "unclosed-comment", "repeated-property", "second-shape", "decimal-comma"]
+          ( ["unknown-word", "misplaced-word", "stray-end", "misspelt-end", "missing-end", "unclosed-comment", "behind-opening", "repeated-property", "second-shape", "decimal-comma"]
               <> ["no-material-name", "missing-material", "repeated-material", "replaced-object", "sampling-without-random"]
               <> ["no-model-file", "unknown-model-format", "model-cycle", "model-too-deep", "too-many-parts", "differing-uv-format"]
               <> ["missing-rows", "unequal-rows", "pieces-without-length"]
@@ -42,6 +42,15 @@ spec = do
         used l (UnknownWord "sphre" [] Nothing (TheObject 15)) `shouldSatisfy` maybe False ("15" `Text.isInfixOf`)
         used l (RefusedValue "ray" (OutOfRange "-1") AVector (Kept "2.0")) `shouldBe` Just "2.0"
         expected l (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (Between "10.0" "170.0")) (Kept "2.0")) `shouldSatisfy` maybe False (\t -> all (`Text.isInfixOf` t) ["10.0", "170.0"])
+    it "has folders that a person can name" $
+      [message l (UnusableFile "a.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."])) | l <- [English, French]]
+        `shouldBe` ["no file is called 'a.png' in the working directory, scenes, models, any folder below", "aucun fichier ne s'appelle 'a.png' dans le répertoire courant, scenes, models, tout dossier plus bas"]
+    it "says what becomes of an object, whatever its gender" $
+      [used l (ImpossibleObject "camera" NowhereToLook f) | l <- [English, French], f <- [LeftOut, Superseded]]
+        `shouldBe` map Just ["nothing: it is left out", "the one before it, or the default", "rien\xA0: cet objet est omis", "l'objet d'avant, ou celui par défaut"]
+    it "says of a text that it is no picture" $
+      [message l (UnusableFile "s1.txt" ForTexture (Undecodable NoPicture)) | l <- [English, French]]
+        `shouldBe` ["'s1.txt': this is no png, jpg, gif, bmp or tga picture", "'s1.txt'\xA0: ce n'est pas une image png, jpg, gif, bmp ou tga"]
     it "is cut short where the file is long-winded" $
       for_ [English, French] $ \l ->
         message l (UnknownWord (Text.replicate 10000 "x") [] Nothing TheLine) `shouldSatisfy` ((< 200) . Text.length)
@@ -57,7 +66,7 @@ problems :: [Problem]
 problems =
   [UnknownWord "a" ["b"] g p | g <- [Nothing, Just "b"], p <- [TheLine, TheObject 3]]
     <> [MisplacedWord "a" o ["b"] TheLine | o <- [Nothing, Just "camera"]]
-    <> [StrayEnd "end", MisspeltEnd "edn", MissingEnd "camera" Nothing, MissingEnd "camera" (Just ("model", 3)), UnclosedComment]
+    <> [StrayEnd "end", MisspeltEnd "edn", MissingEnd "camera" Nothing, MissingEnd "camera" (Just ("model", 3)), UnclosedComment, BehindOpening "camera" "angle"]
     <> [RefusedValue "a" r e k | r <- refusals, e <- take 1 expectations, k <- [TheDefault, Kept "1.0"]]
     <> [RefusedValue "a" NothingThere e (Kept "1") | e <- expectations]
     <> [RepeatedProperty "point" n | n <- [1, 3]]
@@ -74,11 +83,12 @@ problems =
     <> [NoAttributes a n | a <- [TextureCoordinate, Normal], n <- [1, 2]]
     <> [CollinearTriangles 1, CollinearTriangles 2, LongLine 100, TooManyLibraries 100, UnknownMaterialOfModel "gold", MoreFaults 1, MoreFaults 2]
     <> [UnusableFile "a" u t | u <- [ForTexture, ForMask, ForModel, ForMaterialLibrary], t <- [NoSuchFile ["scenes"], SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
+    <> [UnusableFile "a" ForTexture (Undecodable f) | f <- [NoPicture, ClaimsPixels 70000000, FewerPixels, NoHeader, CutOff, NoImage, LongCodes, TooMuchMemory, Damaged]]
 
 refusals :: [Refusal]
 refusals =
   [NothingThere, NotANumber "x", NotAnInteger "x", TooLarge "1e400", OutOfRange "-1", NoSuchChoice "x" Nothing, NoSuchChoice "x" (Just "y"), UnsafeName, NameTaken, WrongEnding, ZeroVector, ZeroComponent, SamePoint]
-    <> [WrongCount 3 4 g | g <- [NoGuess, CommentBehind, CommaInNumber]]
+    <> [WrongCount 3 4 g | g <- [NoGuess, CommentBehind, CommaInNumber, SignsAround]]
 
 flaws :: [Flaw]
 flaws =

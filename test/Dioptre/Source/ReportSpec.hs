@@ -37,7 +37,7 @@ spec = do
     it "has no line where it is about the whole file" $
       shown "abc" wholeFile (RepeatedProperty "a" 1) `shouldBe` ["scene.txt:1:1: error: 'a' is given more than once  [repeated-property]", "      used: the values before it"]
     it "is in French, too" $
-      take 1 (lines (show (pretty French (fromText "a" "end") (Diagnostic (Span 1 1 4) (StrayEnd "end"))))) `shouldBe` ["a:1:1: erreur: 'end' alors que rien n'est ouvert  [stray-end]"]
+      take 1 (lines (show (pretty French (fromText "a" "end") (Diagnostic (Span 1 1 4) (StrayEnd "end"))))) `shouldBe` ["a:1:1: erreur\xA0: 'end' alors que rien n'est ouvert  [stray-end]"]
     modifyMaxSuccess (const 1000) $ do
       prop "has a caret under the first character of what is wrong, whatever the tabs" $
         forAll aPlace $ \(source, place) -> conjoin [isUnder stop source place | stop <- [4, 8]]

@@ -40,7 +40,7 @@ spec = do
   describe "an object" $ do
     it "is opened by its word, whatever follows it, and closed by an end, whatever follows it" $
       tree ["SPHERE # a", "FIN of it"]
-        `shouldBe` [Object (Block (Head (Span 1 1 7) "SPHERE" (Just Keyword.Sphere)) [] (ByEnd (Span 2 1 4)))]
+        `shouldBe` [Object (Block (Head (Span 1 1 7) "SPHERE" (Just Keyword.Sphere)) (Value (Span 1 8 11) "# a") [] (ByEnd (Span 2 1 4)))]
     it "stands inside another" $
       said ["primitive", "geometry", "sphere", "ray 1", "end", "end", "material_name a", "end"]
         `shouldBe` ["primitive{", "geometry{", "sphere{", "ray=1", "}", "}", "material_name=a", "}"]

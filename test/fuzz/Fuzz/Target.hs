@@ -66,8 +66,9 @@ import Dioptre.Scene.Comparisons (checkComparisons, writeComparisons)
 import Dioptre.Scene.Configuration
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Dioptre.Scene.Unchecked (Scene (..))
-import Dioptre.Source.Diagnostic (Diagnostic (..), code)
+import Dioptre.Source.Diagnostic (Diagnostic (..), PictureFault, code)
 import Dioptre.Source.Language (Language (..))
+import Dioptre.Source.Message (pictureFault)
 import Dioptre.Source.Report (pretty, summary, toJson)
 import Dioptre.Source.Span (Span (..))
 import Dioptre.Source.Text (Source, excerpts, fromText, lineAt, sourceText)
@@ -313,11 +314,11 @@ showroom =
 -------------------------------------------------------------------------------
 -- Pictures
 
-pictureHolds :: (ByteString -> Either Text Picture) -> ByteString -> IO ()
+pictureHolds :: (ByteString -> Either PictureFault Picture) -> ByteString -> IO ()
 pictureHolds decoder bytes =
   bounded "picture" 60 400000 bytes $
     attempted decoder bytes >>= \case
-      Left complaint -> total (Text.length complaint)
+      Left fault -> total (Text.length (pictureFault English fault))
       Right p -> unless (pictureWidth p > 0 && pictureHeight p > 0 && Storable.length (pictureBytes p) == 4 * pictureWidth p * pictureHeight p) $ failing "picture-lacks-bytes" (show (pictureWidth p, pictureHeight p))
 
 -------------------------------------------------------------------------------
