@@ -135,7 +135,8 @@ doesNotSeeBehind (Among shapes r) =
     alongTheAxis = ray 0 (V3 1 0 0)
     planeAt t = (\p -> worldOf [APlane p]) <$> plane (V3 t 0 0) (V3 1 0 0)
 
--- | A shape takes the first of the materials of its name. (A scene has one for each: the checker puts a grey one where there is none.)
+-- | A shape takes the first of the materials of its name. (A scene has one for each: the checker puts a grey one where
+-- there is none.)
 materialsAreFirstOfName :: Among -> Property
 materialsAreFirstOfName (Among shapes _) = forAll (vectorOf 6 (elements "abc")) $ \names -> forAll (vectorOf (length shapes) (elements names)) $ \asked ->
   let materials = [standard {materialName = Text.singleton c, materialShininess = k} | (c, k) <- zip names [1 ..]]
