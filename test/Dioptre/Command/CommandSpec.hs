@@ -336,7 +336,7 @@ sphereScene =
       "end",
       "primitive",
       "material_name red",
-      "sphere position 0 0 0",
+      "sphere", "position 0 0 0",
       "ray 1.0",
       "position 0 0 4",
       "end",
