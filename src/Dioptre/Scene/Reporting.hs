@@ -57,10 +57,7 @@ sparingly n (Diagnostic place problem) = case problem of
 -- passed over, with all that is in it.
 passOver :: Maybe Text -> [Keyword] -> Block -> Check ()
 passOver object words' block =
-  report (headSpan (blockHead block)) (misfit object words' (blockHead block) "" passed)
-  where
-    -- An object of one line is that line.
-    passed = if lastLine block > spanLine (headSpan (blockHead block)) then TheObject (lastLine block) else TheLine
+  report (headSpan (blockHead block)) (misfit object words' (blockHead block) "" (TheObject (lastLine block)))
 
 -- | The last line that belongs to a block.
 lastLine :: Block -> Int

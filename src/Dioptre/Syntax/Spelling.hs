@@ -97,14 +97,17 @@ unaccented = Text.map (\c -> fromMaybe c (lookup c accents))
   where
     accents = zip "\224\226\228\231\232\233\234\235\238\239\244\246\249\251\252" "aaaceeeeiioouuu"
 
--- | The name that may have been meant by a name: one that is the same but for case and blanks at the end; or else 'suggest'.
+-- | The name that may have been meant by a name: one that is the same but for case and blanks at the end; or else 'suggest', with its bounds.
 --
 -- >>> suggestName ["th\233", "caf\233  "] "CAF\201"
 -- Just "caf\233  "
 suggestName :: [Text] -> Text -> Maybe Text
-suggestName candidates name = find ((== bare name) . bare) candidates <|> suggest candidates name
+suggestName candidates name
+  | Text.compareLength name 60 == GT = Nothing
+  | otherwise = find ((== bare name) . bare) (filter short (take 300 candidates)) <|> suggest candidates name
   where
     bare = Text.toCaseFold . Text.stripEnd
+    short c = Text.compareLength c 100 /= GT
 
 apart :: Text -> Text -> Int
 apart a b = restrictedDamerauLevenshteinDistance defaultEditCosts (Text.unpack a) (Text.unpack b)

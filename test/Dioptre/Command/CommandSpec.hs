@@ -96,7 +96,7 @@ spec = do
       Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene)
       (code, out, err) <- heard (render' plainOptions)
       (code, out) `shouldBe` (ExitSuccess, "ball_000.png\n")
-      err `shouldContainText` "s.txt:12:5: error: '1.O' is not a number  [not-a-number]"
+      err `shouldContainText` "s.txt:13:5: error: '1.O' is not a number  [not-a-number]"
     it "draws nothing under --strict" . inFolder $ do
       Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene)
       (code, out, _) <- heard (render' plainOptions {optionStrict = True})
@@ -343,7 +343,7 @@ sphereScene =
       "end",
       "primitive",
       "material_name red",
-      "sphere position 0 0 0",
+      "sphere", "position 0 0 0",
       "ray 1.0",
       "position 0 0 4",
       "end",
