@@ -120,6 +120,8 @@ import Dioptre.Syntax.Grammar (parse)
 import Dioptre.Syntax.Tree (Tree)
 
 -- | The picture of a scene's text. Total: whatever the text, there is a picture.
+--
+-- Spec: conformance.total, limits.must-work.
 draw :: Source -> Picture
 draw = rendered . plan mempty noModels . fst . checkScene . parse
 

@@ -85,6 +85,8 @@ loadedFiles :: Loaded -> [FilePath]
 loadedFiles loaded = map foundPath (Map.elems (Map.fromList [(foundFile file, file) | Right file <- Map.elems (loadedSought loaded)]))
 
 -- | The scene in the file at a path, with its pictures and models; or why there is none, in words.
+--
+-- Spec: files.command-line.
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)
 loadScene l path = readWhole path >>= either (pure . Left . fileFault l) (fmap Right . loadSource l . Source.decode path)
 
@@ -113,6 +115,8 @@ loadPicture :: Language -> FilePath -> IO (Either Text Picture)
 loadPicture l path = readPlain path >>= either (pure . Left . fileFault l) (fmap (first (undecodable l path)) . attempted decode)
 
 -- | The picture at a path: for a scene (a path that ends in @.txt@) the one that it draws, and its scene; otherwise the one in the file.
+--
+-- Spec: compare.pictures.
 drawnOrLoaded :: Language -> FilePath -> IO (Either Text (Picture, Maybe Loaded))
 drawnOrLoaded l path
   | map toLower (takeExtension path) /= ".txt" = fmap (,Nothing) <$> loadPicture l path

@@ -43,6 +43,8 @@ data Picture = Picture
   deriving stock (Eq, Show)
 
 -- | The picture of that width (at least 1) with these bytes; as high as they make whole rows.
+--
+-- Spec: picture.rows.
 picture :: Int -> Storable.Vector Word8 -> Picture
 picture w bytes = Picture width height (Storable.take (4 * width * height) bytes)
   where
@@ -60,6 +62,8 @@ data Difference
   deriving stock (Eq, Show)
 
 -- | How a picture differs from another, pixel by pixel, alpha included.
+--
+-- Spec: picture.compare, compare.pictures.
 difference :: Picture -> Picture -> Difference
 difference a b
   | size a /= size b = SizesDiffer (size a) (size b)

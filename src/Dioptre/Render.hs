@@ -37,6 +37,8 @@ tallyOf :: Row -> Tally
 tallyOf r = Tally (rowRays r) (rowTests r) (rowCut r)
 
 -- | The picture of a plan: all its rows, from the top.
+--
+-- Spec: camera.every-pixel, picture.deterministic.
 rendered :: Plan -> Picture
 rendered p = picture (planWidth p) (Storable.concat [rowBytes (row p y) | y <- [0 .. planHeight p - 1]])
 

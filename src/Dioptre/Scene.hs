@@ -94,6 +94,8 @@ withSampling n scene = scene {Unchecked.sceneRaytracer = (sceneRaytracer scene) 
 -- | The whole scene in the scene language, with every parameter (the handout's out.txt).
 --
 -- Law: reading it back gives the same scene.
+--
+-- Spec: canonical.order, canonical.back.
 writeScene :: Scene -> Text
 writeScene scene =
   printOutline $

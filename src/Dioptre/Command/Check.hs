@@ -41,6 +41,8 @@ import System.IO (stdout)
 
 -- | Prints the diagnostics of files on standard output: scenes with the files that they need, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
 -- cannot be read.
+--
+-- Spec: cli.exit, cli.check, cli.check.json.
 check :: Journal -> Format -> [FilePath] -> IO ExitCode
 check = checked id
 

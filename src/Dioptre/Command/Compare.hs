@@ -23,6 +23,8 @@ import System.Exit (ExitCode (..))
 import Prelude hiding (compare)
 
 -- | Compares what two paths show, and prints how they differ. Exit codes: 0 equal, 1 different, 3 one cannot be read.
+--
+-- Spec: cli.compare.
 compare :: Journal -> FilePath -> FilePath -> IO ExitCode
 compare journal a b = do
   left <- drawnOrLoaded l a
@@ -37,6 +39,8 @@ compare journal a b = do
     l = journalLanguage journal
 
 -- | How two pictures differ, in words.
+--
+-- Spec: picture.compare, cli.compare.
 verdict :: Language -> Difference -> Text
 verdict l d = case d of
   Equal -> inLanguage l "equal" "égales"

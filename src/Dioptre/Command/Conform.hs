@@ -57,6 +57,8 @@ data Trial = Trial
   deriving stock (Eq, Show)
 
 -- | Runs the suite against a port, and prints how it did on standard output. Exit codes: 0 nothing failed, 1 something did, 2 no such case, 3 no suite, or no port.
+--
+-- Spec: conformance.whole, cli.conform.
 conform :: Journal -> Trial -> IO ExitCode
 conform journal trial =
   maybe (findSuite ".") (pure . Just) (trialSuite trial) >>= \case

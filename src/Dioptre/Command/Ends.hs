@@ -33,6 +33,8 @@ import System.Posix.Signals (Handler (..), Signal, fileSizeLimitExceeded, instal
 
 -- | Does some work and sees what it printed on its way. Where standard output takes no more, that is told in a language, and is exit code 3 whatever the work returned. That nobody reads any more is
 -- an exception still: there is nobody to tell.
+--
+-- Spec: cli.streams.
 withAllPrinted :: Language -> IO ExitCode -> IO ExitCode
 withAllPrinted l work =
   try ((work `catch` pure) <* hFlush stdout) >>= \case
@@ -57,6 +59,8 @@ instance Exception EndedBy where
   fromException = asyncExceptionFromException
 
 -- | From now on these signals are thrown to this thread, as 'EndedBy'; and a file that may not grow any more is a failure to write, and no longer the end of the program.
+--
+-- Spec: files.whole.
 heedSignals :: [Signal] -> IO ()
 heedSignals signals = do
   thread <- myThreadId
@@ -64,6 +68,8 @@ heedSignals signals = do
   void (installHandler fileSizeLimitExceeded Ignore Nothing)
 
 -- | Ends the program as the signal would have, so that whoever waits for it sees by what it ended: a shell has exit code 143 for SIGTERM, 129 for SIGHUP.
+--
+-- Spec: cli.exit.
 dieOf :: Signal -> IO a
 dieOf signal = do
   void (installHandler signal Default Nothing)

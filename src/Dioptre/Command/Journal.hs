@@ -59,6 +59,8 @@ journalWith :: Language -> Bool -> Journal -> Journal
 journalWith l loud journal = journal {journalLanguage = l, speaks = loud}
 
 -- | A message. Where standard error takes none, it is kept all the same, and the work goes on; but not where nobody reads any more.
+--
+-- Spec: run.log.
 say :: Journal -> Doc Report.Style -> IO ()
 say journal doc = do
   modifyIORef' (kept journal) (|> Plain.renderStrict (layoutPretty layout (unAnnotate doc)))
@@ -88,6 +90,8 @@ paragraphs :: Text -> Doc Report.Style
 paragraphs = fold . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"
 
 -- | Everything that was said, line by line.
+--
+-- Spec: run.log.
 written :: Journal -> IO Text
 written journal = Text.unlines . toList <$> readIORef (kept journal)
 
@@ -95,6 +99,8 @@ layout :: LayoutOptions
 layout = LayoutOptions (AvailablePerLine 100 1)
 
 -- | A document on a terminal or in a file, in colours where they are understood and not declined (see no-color.org).
+--
+-- Spec: cli.streams.
 toConsole :: Handle -> Doc Report.Style -> IO ()
 toConsole handle doc = do
   colourful <- (&&) <$> hSupportsANSI handle <*> (maybe True null <$> lookupEnv "NO_COLOR")

@@ -26,6 +26,8 @@ import System.IO (BufferMode (BlockBuffering), hFlush, hSetBinaryMode, hSetBuffe
 -- | Answers each line of standard input with a line of standard output, in their order, until the input ends. The first argument is this program's version.
 --
 -- A line longer than 64 MiB is answered with an error. Each answer is out before the next request is read.
+--
+-- Spec: protocol.lines.
 oracle :: Text -> IO ExitCode
 oracle version = do
   mapM_ (`hSetBinaryMode` True) [stdin, stdout]

@@ -65,6 +65,8 @@ data Output
     Numbered PictureNumber
 
 -- | Renders a scene and prints the path of its picture. Exit codes as in the README.
+--
+-- Spec: cli.exit, cli.render, cli.render.faults, cli.render.crop.
 render :: Journal -> Options -> IO ExitCode
 render journal options = do
   (reading, result) <- timed (loadScene l (optionScene options))
@@ -112,6 +114,8 @@ render journal options = do
           <$> writeNumbered "." (viewportImage (sceneViewport scene)) from (encode image)
 
 -- | The scene with the options' size and sampling, and its plan; or what is wrong with the options.
+--
+-- Spec: cli.render.
 adjusted :: Options -> Loaded -> Either (Language -> Text) (Scene, Plan)
 adjusted options loaded = do
   let scene = loadedScene loaded
@@ -137,6 +141,8 @@ resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportW
 
 -- | What would prevent the picture of a scene from being written, found before it is drawn; with the exit code that it deserves. Given the files that the scene reads, none of which is replaced,
 -- by whatever path.
+--
+-- Spec: cli.render.safe.
 outputObstacle :: Options -> Scene -> [FilePath] -> IO (Maybe (Int, Language -> Text))
 outputObstacle options scene files = case optionOutput options of
   Numbered from -> fmap (\fault -> (3, (`numberingFault` fault))) <$> numberingObstacle "." (viewportImage (sceneViewport scene)) from
@@ -157,6 +163,8 @@ outputObstacle options scene files = case optionOutput options of
       | otherwise = inLanguage l "a file that the scene reads" "un fichier que la scène lit"
 
 -- | Where the picture goes, if the name says that it is a picture of another format than the one that is written.
+--
+-- Spec: cli.render.safe.
 falseEnding :: Options -> Maybe FilePath
 falseEnding options = case optionOutput options of
   ToFile path | map toLower (takeExtension path) `elem` others -> Just path

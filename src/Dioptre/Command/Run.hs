@@ -65,6 +65,8 @@ readConfiguration = fmap (understood . decode configurationFile) <$> readPlain c
     understood source = let (configuration, diagnostics) = checkConfiguration (parse source) in (source, configuration, diagnostics)
 
 -- | Runs what the configuration says. Without one, tells what there is to know and writes one. Exit codes as in the README.
+--
+-- Spec: config.missing.
 run :: Journal -> Either FileFault (Source, Configuration, [Diagnostic]) -> IO ExitCode
 run journal found = case found of
   Left (FileFault _ DoesNotExist) -> do
@@ -95,11 +97,15 @@ logged journal inputs configuration work
     writeLog = written journal >>= saved journal inputs (Text.unpack (configurationLogName configuration))
 
 -- | The exit code of two things done one after the other: the first that is not success.
+--
+-- Spec: cli.exit.
 worse :: ExitCode -> ExitCode -> ExitCode
 worse ExitSuccess code = code
 worse code _ = code
 
 -- | Runs the application.
+--
+-- Spec: config.application.
 apply :: Journal -> Inputs -> Configuration -> IO ExitCode
 apply journal inputs configuration = case configurationApplication configuration of
   RunNothing -> ExitSuccess <$ sayText journal (inLanguage l "configuration.cfg runs no application" "configuration.cfg ne lance aucune application")
@@ -121,6 +127,8 @@ whole :: Journal -> FilePath -> Text -> IO ExitCode
 whole journal path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
 
 -- | The same, but not over a file that was read, by whatever path.
+--
+-- Spec: run.outputs.
 saved :: Journal -> Inputs -> FilePath -> Text -> IO ExitCode
 saved journal inputs path text =
   readIORef inputs >>= sameFile path >>= \case
@@ -140,6 +148,8 @@ failed :: Journal -> Text -> IO ExitCode
 failed journal fault = ExitFailure 3 <$ sayFault journal fault
 
 -- | Draws the scene: reads it, traces it, writes the picture, counts it, and writes the scene back.
+--
+-- Spec: run.outputs.
 draw :: Journal -> Inputs -> Configuration -> IO ExitCode
 draw journal inputs configuration = withSource journal inputs configuration $ \(source, _) -> do
   (reading, loaded) <- timed (loadSource l source)
@@ -219,6 +229,8 @@ leave journal inputs configuration scene image tracing tally = do
     l = journalLanguage journal
 
 -- | Does some work with the text of the scene that the configuration names, and whether its name is the path of a file: the built-in one, or one that is looked for.
+--
+-- Spec: run.search.
 withSource :: Journal -> Inputs -> Configuration -> ((Source, Bool) -> IO ExitCode) -> IO ExitCode
 withSource journal inputs configuration act = do
   sayText journal (inLanguage l "reading scene '" "lecture de la scène '" <> name <> "'")
@@ -234,10 +246,14 @@ withSource journal inputs configuration act = do
           Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readPlain path
 
 -- | The number that the configuration wants the next picture to have.
+--
+-- Spec: files.number.start.
 firstNumber :: Configuration -> PictureNumber
 firstNumber = fromMaybe minBound . pictureNumber . configurationImageCount
 
 -- | Puts the next picture's number into the configuration, as it is now on the disk, and changes nothing else in it.
+--
+-- Spec: config.counter.
 count :: Journal -> PictureNumber -> IO ExitCode
 count journal following =
   readPlain configurationFile
@@ -245,6 +261,8 @@ count journal following =
     >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
 
 -- | Compares the pairs of a list, prints how each differs, and writes the list back. Exit code 1 if any does.
+--
+-- Spec: compare.run.
 compareAll :: Journal -> Inputs -> Configuration -> IO ExitCode
 compareAll journal inputs configuration = do
   found <- search "." "." (configurationRead configuration)
@@ -263,6 +281,7 @@ compareAll journal inputs configuration = do
   where
     l = journalLanguage journal
 
+-- Spec: compare.run.
 comparePair :: Journal -> Inputs -> FilePath -> Int -> (Text, Text) -> IO ExitCode
 comparePair journal inputs list i (a, b) = do
   left <- shown a

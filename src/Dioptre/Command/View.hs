@@ -59,6 +59,8 @@ viewScene journal options path =
       Just file -> fmap (decode file) <$> readWhole file
 
 -- | The text of the scene that is built in.
+--
+-- Spec: config.built-in.
 builtIn :: Source
 builtIn = fromText (Text.unpack defaultSceneFile) defaultScene
 

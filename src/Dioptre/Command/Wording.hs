@@ -28,6 +28,8 @@ seconds :: Double -> Text
 seconds s = Text.pack (showFFloat (Just 3) s " s")
 
 -- | How many rays were cast, how many times one was tested against a shape, and how often that is for each.
+--
+-- Spec: run.log.
 statistics :: Language -> Int -> Int -> Text
 statistics l rays tests =
   Text.concat

@@ -68,6 +68,8 @@ comparison value = case value of
 --
 -- >>> comparisonNamed "ulp:4"
 -- Right (Ulp 4)
+--
+-- Spec: compare.kinds.
 comparisonNamed :: Text -> Either Text Comparison
 comparisonNamed name = case Text.breakOn ":" name of
   ("exact", "") -> Right Exact
@@ -97,6 +99,8 @@ describeComparison how = case how of
 --
 -- >>> firstDifference Exact (toJSON [1, 2 :: Int]) (toJSON [1, 3 :: Int])
 -- Just "$[1]"
+--
+-- Spec: conformance.means, compare.kinds, numbers.negative-zero, numbers.ulp.
 firstDifference :: Comparison -> Value -> Value -> Maybe Text
 firstDifference = differs "$"
 

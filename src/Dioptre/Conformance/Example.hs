@@ -71,6 +71,8 @@ data ChapterFault = ChapterFault
   deriving stock (Eq, Show)
 
 -- | The rules of a chapter, given the name of its file, and what is wrong with its form.
+--
+-- Spec: rule.form, rule.examples.
 chapter :: FilePath -> Text -> ([Rule], [ChapterFault])
 chapter file text = (reverse rules, reverse faults)
   where
@@ -164,10 +166,14 @@ profileOf :: Map.Map Text Text
 profileOf = Map.fromList [(operation, profile) | (profile, operations) <- profiles, (operation, _) <- operations]
 
 -- | The operations whose input has a text.
+--
+-- Spec: rule.examples.
 takesText :: [Text]
 takesText = ["scene.check", "camera.ray", "scene.pixel", "scene.picture"]
 
 -- | What is wrong with rules taken together: a rule without any example, a label that is used twice.
+--
+-- Spec: rule.form.
 faultsOf :: [Rule] -> [ChapterFault]
 faultsOf rules =
   [ChapterFault (ruleFile r) (ruleLine r) (ruleLabel r <> " has no example") | r <- rules, null (ruleExamples r), ruleShown r == 0]

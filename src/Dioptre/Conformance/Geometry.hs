@@ -37,6 +37,8 @@ import Dioptre.Math.Vector (Point, Unit, unit)
 import qualified Dioptre.Math.Vector as Vector
 
 -- | By their names.
+--
+-- Spec: protocol.operations.
 operations :: [(Text, Operation)]
 operations =
   [ ("ray.position", \o -> do r <- rayOf o; t <- field number o "t"; ofVector (position r t)),
@@ -55,6 +57,8 @@ operations =
     radiusOf o = field number o "radius"
 
 -- | The plane of an operation, and its unit normal.
+--
+-- Spec: protocol.sizes.
 planeOf :: Object -> Parser (Plane, Unit)
 planeOf o = do
   p <- field vector o "position"

@@ -20,6 +20,8 @@ import Dioptre.Light.Illumination (ambient, blinn, lambert, phong)
 import Dioptre.Math.Vector (Unit, Vector)
 
 -- | By their names.
+--
+-- Spec: protocol.operations.
 operations :: [(Text, Operation)]
 operations =
   [ ("light.ambient", \o -> ambient <$> field colour o "light" <*> field colour o "surface" >>= ofColour),
@@ -40,6 +42,8 @@ highlight term o =
     >>= ofColour
 
 -- | The exponent; not negative.
+--
+-- Spec: protocol.sizes.
 shininess :: Object -> Parser Double
 shininess o = do
   x <- field number o "shininess"

@@ -38,6 +38,8 @@ data Line
   deriving stock (Eq, Show)
 
 -- | The next line, if it is no longer than that. Waits for it. At most twice that many bytes are kept.
+--
+-- Spec: protocol.lines.
 nextLine :: Int -> Lines -> IO Line
 nextLine longest (Lines handle rest) = readIORef rest >>= go 0 []
   where

@@ -24,6 +24,8 @@ import Dioptre.Math.Vector (Vector, angle, cross, distance, dot, modulus, unit, 
 import qualified Dioptre.Math.Vector as Vector
 
 -- | By their names. The results of @roots.*@ are ascending, as often as their multiplicity. The parts of a transformation that are left out change nothing.
+--
+-- Spec: protocol.operations.
 operations :: [(Text, Operation)]
 operations =
   [ ("vector.add", ofTwo (\a b -> ofVector (a + b))),

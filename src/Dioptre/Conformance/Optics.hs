@@ -19,6 +19,8 @@ import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 
 -- | By their names. The result of @optics.refract@ is null where all is reflected.
+--
+-- Spec: protocol.operations, optics.reflect.operation, optics.refract.operation.
 operations :: [(Text, Operation)]
 operations =
   [ ("optics.reflect", \o -> do (v, n) <- meeting o; ofVector (reflected (vector v) n)),
@@ -35,6 +37,8 @@ operations =
 
 -- | The normal turned against a direction: -N where \<v, N> > 0, otherwise N. (A ray that runs along a surface has
 -- the other of the two for a picture: 'Dioptre.Geometry.Prepared.shadingNormal'.)
+--
+-- Spec: protocol.directions, optics.reflect.operation, optics.refract.operation.
 against :: Unit -> Unit -> Unit
 against v n
   | dot (vector v) (vector n) > 0 = opposite n

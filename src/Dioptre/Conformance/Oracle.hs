@@ -32,6 +32,8 @@ import Dioptre.Conformance.Scenes (pictureOperations, sceneOperations)
 -- | The answer to a line. The first argument is this program's version.
 --
 -- Law: whatever the line, there is an answer; it carries the request's identifier if the line has one.
+--
+-- Spec: rule.version, protocol.start, protocol.unknown, protocol.malformed.
 answer :: Text -> ByteString -> Answer
 answer version line = case readRequest line of
   Left complaint -> complaint
@@ -39,6 +41,8 @@ answer version line = case readRequest line of
   Right (Request name operation input) -> Answer (Just name) (maybe (Skip "not implemented") (either Fault Ok) (perform operation input))
 
 -- | What an operation makes of its arguments; 'Nothing' for an operation that there is none of.
+--
+-- Spec: conformance.total, protocol.refused.
 perform :: Text -> Value -> Maybe (Either Text Value)
 perform operation input = (\o -> first Text.pack (parseEither (withObject "in" o) input)) <$> Map.lookup operation table
   where
@@ -46,6 +50,8 @@ perform operation input = (\o -> first Text.pack (parseEither (withObject "in" o
     table = Map.fromList (concatMap snd profiles)
 
 -- | The profiles, in the order in which a port comes to them, with their operations.
+--
+-- Spec: conformance.profiles.
 profiles :: [(Text, [(Text, Operation)])]
 profiles =
   [ ("maths", Maths.operations),

@@ -85,6 +85,8 @@ number value = case binary64 value of
   Nothing -> fail "this is not a number"
 
 -- | A whole number, not less than another.
+--
+-- Spec: protocol.sizes.
 whole :: Int -> Value -> Parser Int
 whole least value = do
   x <- number value
@@ -97,6 +99,8 @@ numbers :: Value -> Parser [Double]
 numbers = withArray "numbers" (traverse number . toList)
 
 -- | Three numbers.
+--
+-- Spec: protocol.forms.
 vector :: Value -> Parser Vector
 vector =
   numbers >=> \case
@@ -104,10 +108,14 @@ vector =
     _ -> fail "this is not a vector of three numbers"
 
 -- | A vector, made unit by 'unit'; not the zero vector.
+--
+-- Spec: protocol.directions, protocol.sizes.
 unitVector :: Value -> Parser Unit
 unitVector = vector >=> maybe (fail "the zero vector has no direction") pure . unit
 
 -- | A ray, whose direction is kept as it is, of any length but zero.
+--
+-- Spec: protocol.rays, protocol.sizes.
 ray :: Value -> Parser Ray
 ray = withObject "ray" $ \o -> do
   from <- field vector o "origin"
@@ -115,6 +123,8 @@ ray = withObject "ray" $ \o -> do
   if towards == 0 then fail "the direction of a ray is not zero" else pure (Ray.ray from towards)
 
 -- | Three or four numbers from 0 up; opaque if there are three.
+--
+-- Spec: protocol.forms.
 colour :: Value -> Parser Colour
 colour =
   numbers >=> \case
@@ -124,6 +134,8 @@ colour =
     _ -> fail "this is not a colour of three or four numbers"
 
 -- | A shape. What the scene language would find wrong with it is said in its words; every such fault is one here.
+--
+-- Spec: protocol.shapes.
 shape :: Value -> Parser Shape
 shape =
   block >=> \b -> case runCheck (readShape b) of
@@ -177,12 +189,16 @@ headOf :: Text -> Head
 headOf word = Head (Span 1 1 (1 + Text.length word)) word (fromSpelling word)
 
 -- | A number as a result; a complaint if it is NaN or infinite, which cannot be sent.
+--
+-- Spec: protocol.refused, numbers.not-finite.
 real :: Double -> Parser Value
 real x
   | isNaN x || isInfinite x = fail "the result is not finite"
   | otherwise = pure (toJSON (x + 0))
 
 -- | Numbers.
+--
+-- Spec: protocol.forms.
 reals :: [Double] -> Parser Value
 reals xs = toJSON <$> traverse real xs
 
@@ -191,6 +207,8 @@ ofVector :: Vector -> Parser Value
 ofVector = reals . toList
 
 -- | A ray.
+--
+-- Spec: protocol.rays.
 ofRay :: Ray -> Parser Value
 ofRay r = (\o d -> object ["origin" .= o, "direction" .= d]) <$> ofVector (origin r) <*> ofVector (direction r)
 

@@ -77,6 +77,8 @@ data Outcome
   deriving stock (Eq, Show)
 
 -- | The request on a line, or the answer to a line that holds none.
+--
+-- Spec: protocol.request, protocol.malformed.
 readRequest :: ByteString -> Either Answer Request
 readRequest line = case eitherDecodeStrict line of
   Right (Object o) -> request o
@@ -104,6 +106,8 @@ writeRequest (Request name operation input) = written (identified (Just name) <>
     given = if input == Object mempty then mempty else pair "in" (writeValue input)
 
 -- | The answer on a line, or what is wrong with the line. Of @ok@, @skip@ and @error@ the first that is there counts.
+--
+-- Spec: protocol.answer.
 readAnswer :: ByteString -> Either Text Answer
 readAnswer line = case eitherDecodeStrict line of
   Right (Object o)
@@ -120,6 +124,8 @@ readAnswer line = case eitherDecodeStrict line of
       _ -> ""
 
 -- | An answer as a line, without its line feed. Law: 'readAnswer' reads it back.
+--
+-- Spec: protocol.answer.
 writeAnswer :: Answer -> Lazy.ByteString
 writeAnswer (Answer name outcome) = written . (identified name <>) $ case outcome of
   Ok value -> pair "ok" (writeValue value)
@@ -133,6 +139,8 @@ written :: Series -> Lazy.ByteString
 written = encodingToLazyByteString . Encoding.pairs
 
 -- | The number as a binary64, to the nearest, ties to even; infinite beyond the largest one. 'Nothing' for what is no number.
+--
+-- Spec: protocol.numbers.
 binary64 :: Value -> Maybe Double
 binary64 value = case value of
   Number _ | Success x <- fromJSON value -> Just x
@@ -140,6 +148,8 @@ binary64 value = case value of
 
 -- | JSON with the members of objects in alphabetical order, and numbers with the shortest digits that read back to the same binary64: without a point where they are whole and
 -- less than 2^53.
+--
+-- Spec: protocol.numbers.
 writeValue :: Value -> Encoding
 writeValue value = case value of
   Number _ -> maybe Encoding.null_ number (binary64 value)

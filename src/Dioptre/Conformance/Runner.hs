@@ -82,6 +82,8 @@ data Complaint
   deriving stock (Eq, Show)
 
 -- | Runs cases against a program with its arguments; each verdict is reported as it comes. A fault, if the program cannot be started.
+--
+-- Spec: compare.verdicts.
 runCases :: Settings -> IO () -> FilePath -> [String] -> [Case] -> IO (Either FileFault Ran)
 runCases settings verdictGiven command arguments cases = go (Run IntMap.empty [] (IntMap.keys numbered) 0 Nothing False Nothing True 0 Seq.empty)
   where

@@ -40,6 +40,8 @@ import Dioptre.Source.Text (fromText)
 import Dioptre.Syntax.Grammar (parse)
 
 -- | What is wrong with a scene and what it is when written back; and the ray through a sample of a pixel.
+--
+-- Spec: protocol.text, protocol.operations.
 sceneOperations :: [(Text, Operation)]
 sceneOperations =
   [ ("scene.check", check),
@@ -47,6 +49,8 @@ sceneOperations =
   ]
 
 -- | One pixel, and the whole picture.
+--
+-- Spec: protocol.operations.
 pictureOperations :: [(Text, Operation)]
 pictureOperations =
   [ ("scene.pixel", \o -> sceneOf o >>= \(scene, _) -> pixel scene o),
@@ -54,6 +58,8 @@ pictureOperations =
   ]
 
 -- | A picture as a result: its size, and its bytes in base 64.
+--
+-- Spec: picture.rows.
 ofPicture :: Picture -> Value
 ofPicture p = object ["width" .= pictureWidth p, "height" .= pictureHeight p, "rgba" .= rgba]
   where
@@ -81,6 +87,8 @@ check o = do
         ]
 
 -- | The column and row of a pixel of the picture, from 0 at the top left.
+--
+-- Spec: camera.ray.operation.
 pixelOf :: Scene -> Object -> Parser (Int, Int)
 pixelOf scene o = do
   column <- field (whole 0) o "column"
@@ -91,6 +99,8 @@ pixelOf scene o = do
     port = sceneViewport scene
 
 -- | The ray through a sample of a pixel, counted from 0.
+--
+-- Spec: camera.ray.operation.
 cameraRay :: Scene -> Operation
 cameraRay scene o = do
   (column, row) <- pixelOf scene o

@@ -89,6 +89,8 @@ readSuite folder = do
     unique cases = maybe (Right cases) (Left . NotUnique . fst) (find ((> 1) . snd) (Map.toList (Map.fromListWith (+) [(caseName c, 1 :: Int) | c <- cases])))
 
 -- | The rules of the specification in a folder, in the order of its chapters.
+--
+-- Spec: rule.examples.
 readSpecification :: FilePath -> IO (Either SuiteFault [Rule])
 readSpecification folder = files ".md" folder >>= either (pure . Left) (fmap (sequence >=> sound . mconcat) . traverse read')
   where
@@ -160,6 +162,8 @@ data Selection = Selection
   deriving stock (Eq, Show)
 
 -- | The cases that are selected, in their order.
+--
+-- Spec: conformance.profiles, cli.conform.
 select :: Selection -> [Case] -> [Case]
 select s = filter (\c -> profile c && rule c && name c)
   where

@@ -90,6 +90,8 @@ data Trouble
 -- | The verdict on an answer.
 --
 -- A result of @scene.check@ is compared in the members that are expected. What is kept of the answer is bounded, however large it is.
+--
+-- Spec: compare.verdicts.
 judge :: Case -> Outcome -> Verdict
 judge c outcome = case outcome of
   Skip why -> NotImplemented (shortened why)
@@ -134,6 +136,8 @@ instance Monoid Score where
   mempty = Score 0 0 0
 
 -- | One case's score.
+--
+-- Spec: compare.verdicts.
 scoreOf :: Verdict -> Score
 scoreOf verdict = case verdict of
   Passed -> Score 1 0 0

@@ -75,6 +75,8 @@ mostKept = 4000
 -- Law: its colour is the one that 'Dioptre.Render.Row.colourAt' has, to the bit.
 --
 -- Cost: that of rendering the pixel, and for each ray whose encounters are looked at, an equation for every shape, up to 'mostTried' of them.
+--
+-- Spec: cli.explain.
 tell :: Assets -> [Text] -> Library Texture -> Scene -> Int -> Int -> Maybe Story
 tell assets files library scene column row
   | column < 0 || row < 0 || column >= width || row >= height = Nothing

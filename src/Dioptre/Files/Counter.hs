@@ -48,6 +48,8 @@ import Dioptre.Files.Number (PictureNumber, pictureNumberValue)
 -- "viewport_image_count 0 # next\r\n"
 --
 -- Cost: linear in the size of the file.
+--
+-- Spec: config.counter.
 replaceCounter :: PictureNumber -> ByteString -> ByteString
 replaceCounter number source = case lastCounter scanned of
   Just line -> setValue digits line source

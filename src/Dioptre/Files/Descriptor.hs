@@ -39,6 +39,8 @@ import Text.Read (readMaybe)
 -- | Makes an empty file, with the permissions that a new file has under the process's mask. Throws
 -- 'System.IO.Error.isAlreadyExistsError' where anything at all has that name, a dangling link included. Of several
 -- processes that try one name, exactly one succeeds.
+--
+-- Spec: files.number.atomic.
 createExclusively :: FilePath -> IO ()
 createExclusively path = bracket open closeFd (const (pure ()))
   where

@@ -30,6 +30,8 @@ identity path = fmap identityOf <$> status path
 -- | Of these paths, the first that leads to the same file as a path does. What is no file with contents of its own, as a terminal, is the same as none.
 --
 -- Law: where it finds none, writing to the path leaves what is read at the others as it is.
+--
+-- Spec: cli.render.safe.
 sameFile :: FilePath -> [FilePath] -> IO (Maybe FilePath)
 sameFile path others =
   status path >>= \case

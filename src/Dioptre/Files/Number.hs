@@ -70,6 +70,8 @@ instance Bounded PictureNumber where
 --
 -- >>> map pictureNumber [-1, 0, 999, 1000 :: Int]
 -- [Nothing,Just 0,Just 999,Nothing]
+--
+-- Spec: limits.files.
 pictureNumber :: Integral a => a -> Maybe PictureNumber
 pictureNumber value
   | 0 <= number && number <= 999 = Just (PictureNumber (fromInteger number))
@@ -88,6 +90,8 @@ next number@(PictureNumber value)
   | otherwise = PictureNumber (value + 1)
 
 -- | Every number once, beginning with this one and going round. Law: a thousand of them, all different.
+--
+-- Spec: files.number.
 numbersFrom :: PictureNumber -> [PictureNumber]
 numbersFrom first = first : takeWhile (/= first) (iterate next (next first))
 
@@ -95,6 +99,8 @@ numbersFrom first = first : takeWhile (/= first) (iterate next (next first))
 --
 -- >>> pictureFileName (Text.pack "intro") minBound
 -- "intro_000.png"
+--
+-- Spec: files.number.
 pictureFileName :: Text -> PictureNumber -> FilePath
 pictureFileName name (PictureNumber value) =
   Text.unpack name <> "_" <> replicate (3 - length digits) '0' <> digits <> ".png"
@@ -116,6 +122,8 @@ data NumberingFault
 --
 -- Laws: no file that was there is changed; the file appears whole; of several at once, each gets a number of its own;
 -- no temporary stays.
+--
+-- Spec: files.number.
 writeNumbered ::
   FilePath -> Text -> PictureNumber -> Lazy.ByteString -> IO (Either NumberingFault (FilePath, PictureNumber))
 writeNumbered = writeNumberedBy createLink
@@ -161,6 +169,8 @@ numberedPath :: FilePath -> Text -> PictureNumber -> FilePath
 numberedPath folder name number = normalise (folder </> pictureFileName name number)
 
 -- | Gives the temporary's contents this path, unless something has it; says whether it did.
+--
+-- Spec: files.number.atomic.
 claim :: (FilePath -> FilePath -> IO ()) -> FilePath -> FilePath -> IO Bool
 claim link temporary path = do
   linked <- try (link temporary path)

@@ -76,6 +76,8 @@ data Place
 -- @working@ where the file is below it.
 --
 -- Cost: steps 1 and 2 list three folders; step 3 looks at every file below the working directory.
+--
+-- Spec: files.steps, files.several, run.search.
 search :: FilePath -> FilePath -> Text -> IO (Either SearchFault FilePath)
 search working folder written = case wantedName written of
   Nothing -> pure (Left (NoName written))
@@ -101,6 +103,8 @@ search working folder written = case wantedName written of
 -- Just "th\233i\232re.obj"
 -- >>> wantedName (Text.pack "models/..")
 -- Nothing
+--
+-- Spec: files.named.
 wantedName :: Text -> Maybe Text
 wantedName written
   | name `elem` map Text.pack ["", ".", ".."] = Nothing
@@ -111,6 +115,8 @@ wantedName written
 -- Looking
 
 -- | The files of this name in a place.
+--
+-- Spec: files.steps.
 look :: FilePath -> Text -> Place -> IO [FilePath]
 look working name (Within folder) = do
   entries <- entriesOf (working </> folder)
@@ -132,18 +138,26 @@ among working name folder entries = do
   filterM (isFile . (working </>)) (map (joined folder) named)
 
 -- | How many folders below the working directory the search goes.
+--
+-- Spec: limits.files.
 deepest :: Int
 deepest = 7
 
 -- | Whether the search stays out of folders of this name.
+--
+-- Spec: files.left-out.
 isLeftOut :: FilePath -> Bool
 isLeftOut name = take 1 name == "." || name `elem` ["dist", "dist-newstyle", "node_modules"]
 
 -- | Whether this is a file, or a link to one; pipes and devices are none.
+--
+-- Spec: files.left-out.
 isFile :: FilePath -> IO Bool
 isFile path = orElse False (isRegularFile <$> getFileStatus path)
 
 -- | Whether this is a folder itself, and not a link to one.
+--
+-- Spec: files.left-out.
 isFolder :: FilePath -> IO Bool
 isFolder path = orElse False (isDirectory <$> getSymbolicLinkStatus path)
 
@@ -163,6 +177,8 @@ knownName entry = Text.toCaseFold <$> textOf entry
 --
 -- The locale has no say in this. Under @LC_ALL=C@ the run-time system knows no letter beyond ASCII and hands every
 -- other byte over in disguise; so the bytes are asked for again.
+--
+-- Spec: files.bytes.
 textOf :: FilePath -> IO Text
 textOf entry
   | all isAscii entry = pure (Text.pack entry)
@@ -172,6 +188,8 @@ textOf entry
     pure (fromRight (decodeLatin1 bytes) (decodeUtf8' bytes))
 
 -- | One path for each file: of several that lead to the same file, the first.
+--
+-- Spec: files.several.
 distinct :: FilePath -> [FilePath] -> IO [FilePath]
 distinct working paths = keepNew Set.empty <$> traverse identified paths
   where

@@ -67,6 +67,8 @@ import System.Posix.Types (Fd, FileMode)
 -- and pipes get the bytes as they come.
 --
 -- Law: what is written is what 'readWhole' reads.
+--
+-- Spec: files.whole.
 writeWhole :: FilePath -> Lazy.ByteString -> IO (Either FileFault ())
 writeWhole path bytes =
   orFault path $ do
@@ -127,10 +129,14 @@ readThat path allowed =
           | otherwise -> pieces most size' (piece : before) handle
 
 -- | The most bytes that are read of a file, 2^30: more than any picture, model or scene that can be used.
+--
+-- Spec: limits.files.
 mostOfFile :: Int
 mostOfFile = 1073741824
 
 -- | The most bytes that are read from a pipe or a device, 2^28.
+--
+-- Spec: limits.files.
 mostOfStream :: Int
 mostOfStream = 268435456
 

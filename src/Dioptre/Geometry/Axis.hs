@@ -38,6 +38,8 @@ data Axis = Axis
   deriving stock (Eq, Show)
 
 -- | The axis from one point to another; 'Nothing' if they are equal.
+--
+-- Spec: code.equal-points.
 axis :: Point -> Point -> Maybe Axis
 axis a b
   | a == b = Nothing
@@ -45,6 +47,8 @@ axis a b
 
 -- | The length of an axis, H, which is not zero: where the points are so near that the squares of their differences
 -- vanish (below 1e-154), those are scaled by a power of two first.
+--
+-- Spec: geometry.axis.length.
 axisLength :: Axis -> Double
 axisLength (Axis a b)
   -- 1e-140. See Note [Literals] of "Dioptre.Math.Roots".

@@ -56,6 +56,8 @@ data Cap = Cap
   deriving stock (Eq, Show)
 
 -- | The cap with that signed radius of curvature; 'Nothing' if the sphere does not reach the rim: |c| < R.
+--
+-- Spec: code.curvature-below-radius.
 cap :: Disk -> Double -> Maybe Cap
 cap d c
   | abs c < diskRadius d = Nothing
@@ -67,6 +69,8 @@ cap d c
 --
 -- >>> centreDepth 3 (-5)
 -- -4.0
+--
+-- Spec: geometry.cap.half.
 centreDepth :: Double -> Double -> Double
 centreDepth radius c
   | abs c > radius = signum c * sqrt ((abs c - radius) * (abs c + radius))
@@ -74,11 +78,15 @@ centreDepth radius c
 
 -- | How far the sphere stands out from its disk in the middle: s(0) = sgn(c) (|c| - sqrt (c^2 - R^2)), written as
 -- sgn(c) R^2 \/ (|c| + sqrt (c^2 - R^2)), which does not cancel for flat faces.
+--
+-- Spec: code.lens-too-thin, geometry.lens.possible.
 faceDepth :: Double -> Double -> Double
 faceDepth r c = signum c * (r * r) / (abs c + sqrt ((abs c - r) * (abs c + r)))
 
 -- | The equation of the sphere over a disk of radius R and unit normal n, with the centre m behind it, along p + t d; p
 -- is measured from the centre of the disk.
+--
+-- Spec: geometry.cap.surface.
 sphereOver :: Vector -> Double -> Double -> Vector -> Vector -> Quadratic
 sphereOver n radius m p d = Quadratic (dot d d) (2 * (dot p d + m * dot d n)) (beyondSphere n radius m p)
 {-# INLINE sphereOver #-}
@@ -92,6 +100,8 @@ beyondSphere n radius m p = (dot p p + 2 * (m * dot p n)) - radius * radius
 -- which it meets the sphere on the cap's side of the disk's plane, the rim included; at most two, ascending.
 --
 -- Law: each point is at the distance |c| from the centre of the sphere, and not behind the disk, to rounding.
+--
+-- Spec: geometry.cap.surface, geometry.cap.open, geometry.cap.half, geometry.cap.parameters.
 capParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 capParameters centre normal radius c r =
   [t0 + t | abs t0 < infinity, t <- rootsOf (sphereOver n radius m p d), isOver (p + t *^ d)]
@@ -108,6 +118,8 @@ capParameters centre normal radius c r =
 
 -- | The unit normal at a point v of the cap: (v - C) \/ c, made unit. It points out of the sphere where c > 0, and to its centre where c < 0, so that
 -- it is on the side of n.
+--
+-- Spec: geometry.hit.centre, geometry.cap.normal.
 capNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
 capNormal centre normal radius c v =
   fromMaybe normal (unit (signum c *^ ((v - centre) + centreDepth radius c *^ vector normal)))

@@ -54,6 +54,8 @@ slightlyBeyond t = t * (1 + boundSlack)
 --
 -- >>> (precedes 1 7 2 3, precedes 2 7 2 3, precedes 2 1 2 3)
 -- (True,False,True)
+--
+-- Spec: geometry.hit.closest, geometry.hit.tie.
 precedes :: Double -> Int -> Double -> Int -> Bool
 precedes t number best found = t <= best && (t < best || number < found)
 {-# INLINE precedes #-}

@@ -65,6 +65,8 @@ import GHC.Exts (build)
 --
 -- Laws: a point strictly between the two is inside, and a point outside them is not; the cone beyond the apex is not there; a ray
 -- through the apex that is less inclined to the axis than the surface is meets it.
+--
+-- Spec: geometry.cone.interval, geometry.cone.beyond-apex, geometry.cone.apex.
 coneParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 coneParameters p1 s h radius r = build $ \cons nil ->
   let !(Crossing t0 u curved ends) = crossing p1 s h radius r
@@ -127,6 +129,8 @@ isSteep h radius dd da = abs da * radius > 2 * h * sqrt dd
 {-# INLINE isSteep #-}
 
 -- | Where A t^2 + B t + C <= 0, in that half of it which is before the apex if A < 0. See Note [Halves].
+--
+-- Spec: geometry.cone.beyond-apex.
 half :: Quadratic -> Double -> Interval
 half equation@(Quadratic a b c) da = case rootsOf equation of
   [x, y]
@@ -145,6 +149,8 @@ half equation@(Quadratic a b c) da = case rootsOf equation of
 -- e + k S made unit, with e the unit vector away from the axis; S at the apex. On the rim it is the curved part's.
 --
 -- The gradient of |w_perp|^2 - k^2 a^2 is 2 (w_perp - k^2 a S), and w_perp = -k a e on the cone.
+--
+-- Spec: geometry.cone.apex, geometry.cone.normal.
 coneNormal :: Point -> Unit -> Double -> Double -> Ray -> Double -> Unit
 coneNormal p1 s h radius r t
   | t == at base && t /= at x && t /= at y = opposite s
@@ -161,6 +167,8 @@ coneSideNormal p1 s h radius v = maybe s slanted (unit (across s (v - p1)))
 
 -- | Whether a point is inside the cone: farther than 'endThickness' from the planes of the base and of the apex, and nearer to the axis than
 -- (1 - 'roundThickness') (1 - h\/H) R at its height h. A point on the surface is not.
+--
+-- Spec: geometry.cone.contains.
 coneContains :: Point -> Unit -> Double -> Double -> Point -> Bool
 coneContains p1 s h radius v =
   height > endThickness
@@ -185,6 +193,8 @@ coneContains p1 s h radius v =
 --
 -- >>> conesParameters (V3 0 0 0) (V3 0 0 1) 1 (ray (V3 (-2) 0 0) (V3 1 0 0))
 -- [1.0,3.0]
+--
+-- Spec: geometry.cones.parameters, geometry.cones.parallel.
 conesParameters :: Point -> Point -> Double -> Ray -> [Double]
 conesParameters point apex radius r =
   quadraticRoots

@@ -57,6 +57,8 @@ cube c size
 -- | Where a ray's line meets the cube around C with half size h: where it enters and where it leaves, or nothing.
 --
 -- Law: a point strictly between the two parameters is inside, and a point outside them is not.
+--
+-- Spec: geometry.cube.slabs, geometry.cube.edges.
 cubeParameters :: Point -> Double -> Ray -> [Double]
 cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
   let !(V3 ox oy oz) = origin r
@@ -75,6 +77,8 @@ cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
 
 -- | The outward normal of the face that a ray crosses at a parameter that 'cubeParameters' gave. On an edge, where it crosses
 -- several at once, it is the first one's in the order +z -z +y -y +x -x.
+--
+-- Spec: geometry.cube.normal.
 cubeNormal :: Point -> Double -> Ray -> Double -> Unit
 cubeNormal (V3 cx cy cz) !h !r !t
   | crosses (cz + h) oz dz = alongZ
@@ -90,5 +94,7 @@ cubeNormal (V3 cx cy cz) !h !r !t
 
 -- | Whether a point is inside the cube around C with half size h: in each coordinate nearer than (1 - 'surfaceThickness') h. A point
 -- on a face is not.
+--
+-- Spec: geometry.cube.contains.
 cubeContains :: Point -> Double -> Point -> Bool
 cubeContains c h p = all (\x -> abs x < (1 - surfaceThickness) * h) (p - c)

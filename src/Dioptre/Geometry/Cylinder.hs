@@ -37,6 +37,8 @@ import GHC.Exts (build)
 
 -- | Where w_perp + t d_perp is no longer than R: between the roots of the tube. A line along the axis is in the bar everywhere or nowhere, and
 -- in it when it lies in its surface.
+--
+-- Spec: geometry.cylinder.interval, geometry.cylinder.along-axis.
 bar :: Double -> Vector -> Vector -> Interval
 bar radius wPerp dPerp = case rootsOf equation of
   [enter, leave] -> Interval enter leave
@@ -51,6 +53,8 @@ bar radius wPerp dPerp = case rootsOf equation of
 --
 -- Laws: a point strictly between the two is inside, and a point outside them is not; a parameter on the curved part is one that
 -- the tube has, bit for bit.
+--
+-- Spec: geometry.cylinder.interval.
 cylinderParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 cylinderParameters p1 s h radius r = build $ \cons nil ->
   let !(Interval enter leave) = intersection (curvedPart p1 s radius r) (between p1 s h r)
@@ -71,6 +75,8 @@ between p1 s h r = slab 0 h (dot (origin r - p1) (vector s)) (dot (direction r) 
 
 -- | The outward unit normal where a ray meets the cylinder, at a parameter that 'cylinderParameters' gave: the tube's, or S or -S on an end. On a rim,
 -- where the line crosses both parts at once, it is the tube's.
+--
+-- Spec: geometry.cylinder.normal.
 cylinderNormal :: Point -> Unit -> Double -> Double -> Ray -> Double -> Unit
 cylinderNormal p1 s h radius r t
   | t == enter || t == leave = tubeNormal p1 s (position r t)
@@ -82,6 +88,8 @@ cylinderNormal p1 s h radius r t
 
 -- | Whether a point is inside the cylinder: nearer to the axis than (1 - 'roundThickness') R, and farther than 'endThickness' from both end planes.
 -- A point on the surface is not.
+--
+-- Spec: geometry.cylinder.contains.
 cylinderContains :: Point -> Unit -> Double -> Double -> Point -> Bool
 cylinderContains p1 s h radius v =
   modulus (across s w) < (1 - roundThickness) * radius && height > endThickness && h - height > endThickness

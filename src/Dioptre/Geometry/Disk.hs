@@ -58,6 +58,8 @@ data Annulus = Annulus
   deriving stock (Eq, Show)
 
 -- | The ring between an inner and an outer radius; 'Nothing' unless 0 <= inner <= outer.
+--
+-- Spec: code.inner-beyond-outer, geometry.annulus.rims.
 annulus :: Plane -> Double -> Double -> Maybe Annulus
 annulus p inner outer
   | 0 <= inner && inner <= outer = Just (Annulus p inner outer)
@@ -66,6 +68,8 @@ annulus p inner outer
 -- | Where a ray's line meets the disk: the plane's parameter, kept where the point is within the radius.
 --
 -- Law: a disk is hit exactly where its plane is hit no farther than R from the centre.
+--
+-- Spec: geometry.disk.parameters, geometry.disk.rim, geometry.disk.edge-on.
 diskParameters :: Point -> Unit -> Double -> Ray -> [Double]
 diskParameters p n radius r = [t | t <- planeParameters p n r, distance p (position r t) <= radius]
 {-# INLINE diskParameters #-}
@@ -73,6 +77,8 @@ diskParameters p n radius r = [t | t <- planeParameters p n r, distance p (posit
 -- | Where a ray's line meets the annulus: kept where inner <= distance <= outer.
 --
 -- Law: an annulus with inner radius 0 is a disk.
+--
+-- Spec: geometry.annulus.parameters, geometry.annulus.rims.
 annulusParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 annulusParameters p n inner outer r =
   [t | t <- planeParameters p n r, let away = distance p (position r t), inner <= away, away <= outer]

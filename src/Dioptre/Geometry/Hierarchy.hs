@@ -107,6 +107,8 @@ data Tried found = Tried found !Int
 -- Law: every item is in one of the ranges that has no box, or whose box the ray meets no farther than what has been found when its turn comes.
 --
 -- Cost: a test of a box for each part that is not passed over whole. See Note [A trail instead of a stack].
+--
+-- Spec: geometry.hit.index.
 descend :: Hierarchy -> Approach -> (found -> Double) -> (Int -> Int -> found -> found) -> found -> Tried found
 descend h a far range found0
   | hierarchyNodes h == 0 = Tried first (boxless h)
@@ -143,6 +145,8 @@ descend h a far range found0
 -- | The hierarchy of so many items, given the box of each, if it has one.
 --
 -- Cost: that of 'partition'.
+--
+-- Spec: limits.must-work.
 hierarchy :: Int -> (Int -> Maybe Box) -> Hierarchy
 hierarchy n boxOf
   | sizeofPrimArray bounded == 0 = Hierarchy unbounded (sizeofPrimArray unbounded) (toNodes mempty mempty) 0 0

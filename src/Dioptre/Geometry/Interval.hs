@@ -45,6 +45,8 @@ intersection (Interval a b) (Interval c d) = Interval (larger a c) (smaller b d)
 -- >                  /        and in it when it lies in one of its planes.
 -- >   low   --------/----
 -- >                /
+--
+-- Spec: geometry.cube.slabs, geometry.cube.along-slab, geometry.cylinder.interval, geometry.cylinder.along-axis.
 slab :: Double -> Double -> Double -> Double -> Interval
 slab low high h0 dh
   | dh > 0 = Interval ((low - h0) / dh) ((high - h0) / dh)

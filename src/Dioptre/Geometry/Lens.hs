@@ -78,6 +78,8 @@ data Lens = Lens
 
 -- | 'Nothing' unless both spheres reach the rim and the lens has a thickness on its axis: |c1| >= R, |c2| >= R and
 -- L + s1(0) + s2(0) > 0, with s the 'faceDepth'.
+--
+-- Spec: code.curvature-below-radius, code.lens-too-thin, geometry.lens.possible.
 lens :: Round -> (Double, Double) -> Maybe Lens
 lens body curvatures@(c1, c2)
   | abs c1 < r || abs c2 < r = Nothing
@@ -90,6 +92,8 @@ lens body curvatures@(c1, c2)
 -- faces have the signed radii of curvature c1 (at P1) and c2: every entry and exit, ascending; up to three of each.
 --
 -- Laws: entries and exits take turns; a point strictly between an entry and its exit is inside, and a point outside them all is not.
+--
+-- Spec: geometry.lens.body, geometry.lens.rim.
 lensParameters :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> [Double]
 lensParameters p1 s l radius c1 c2 r = build $ \cons nil ->
   foldr (\(Interval enter leave) rest -> cons enter (cons leave rest)) nil (intervals (parts p1 s l radius c1 c2 r))
@@ -205,6 +209,8 @@ data LensPart
   deriving stock (Eq, Show)
 
 -- | The part that a ray meets at a parameter that 'lensParameters' gave. A rim is the side's.
+--
+-- Spec: geometry.lens.rim.
 lensPart :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> LensPart
 lensPart p1 s l radius c1 c2 r t
   | isEndOf inBar = LensSide
@@ -216,6 +222,8 @@ lensPart p1 s l radius c1 c2 r t
 
 -- | The outward unit normal where a ray meets the lens, at a parameter that 'lensParameters' gave: the tube's on the side, and on a face away
 -- from the sphere's centre if it bulges, towards it if it is hollow.
+--
+-- Spec: geometry.hit.centre, geometry.lens.normal.
 lensNormal :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> Unit
 lensNormal p1 s l radius c1 c2 r t = case lensPart p1 s l radius c1 c2 r t of
   LensSide -> tubeNormal p1 s v
@@ -226,6 +234,8 @@ lensNormal p1 s l radius c1 c2 r t = case lensPart p1 s l radius c1 c2 r t of
 
 -- | Whether a point is inside the lens: nearer to the axis than (1 - 'roundThickness') R and, at each face, on the body's side of the sphere by more than
 -- 'surfaceThickness' of its radius. A point on the surface is not.
+--
+-- Spec: geometry.lens.contains.
 lensContains :: Point -> Unit -> Double -> Double -> Double -> Double -> Point -> Bool
 lensContains p1 s l radius c1 c2 v =
   modulus (across s w) < (1 - roundThickness) * radius && behind c1 (negate (vector s)) w && behind c2 (vector s) (w - l *^ vector s)

@@ -25,11 +25,15 @@ import Dioptre.Math.Transform (Placement, inverseDirection, inversePosition, pla
 -- | A ray of the world in the frame of the shape: the same parameters, a direction of another length.
 --
 -- Law: the position at a parameter, carried forth, is the position of the ray at that parameter, to rounding.
+--
+-- Spec: geometry.transformed.parameters, geometry.transformed.uv, models.transformed.
 carriedBack :: Placement -> Ray -> Ray
 carriedBack m r = ray (inversePosition m (origin r)) (inverseDirection m (direction r))
 {-# INLINE carriedBack #-}
 
 -- | A ray of the shape's frame in the world.
+--
+-- Spec: transform.ray.
 carriedForth :: Placement -> Ray -> Ray
 carriedForth m r = ray (transformPosition m (origin r)) (transformDirection m (direction r))
 {-# INLINE carriedForth #-}

@@ -38,6 +38,8 @@ data Plane = Plane
   deriving stock (Eq, Show)
 
 -- | The plane through a point, orthogonal to a vector; 'Nothing' if the vector is shorter than 'smallestLength'.
+--
+-- Spec: code.zero-normal, geometry.plane.unit-normal.
 plane :: Point -> Vector -> Maybe Plane
 plane p n
   | modulus n < smallestLength = Nothing
@@ -48,6 +50,9 @@ plane p n
 -- A ray whose angle with the plane has a sine of at most 'parallelSine' is in the plane or beside it, and does not meet it.
 --
 -- Law: \<n, r(t) - P> is zero at that parameter, to rounding.
+--
+-- Spec: numbers.order, geometry.plane.parameters, geometry.plane.parallel, geometry.disk.edge-on,
+--   geometry.triangle.edge-on.
 planeParameters :: Point -> Unit -> Ray -> [Double]
 planeParameters p n r =
   [t | a * a > parallelSine * parallelSine * directionQuadrance r, t <- linearRoots a (dot (vector n) (origin r - p))]

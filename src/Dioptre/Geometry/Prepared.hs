@@ -103,6 +103,8 @@ along (Axial p s h r) rule = rule (unpacked p) (unpackedUnit s) h r
 {-# INLINE along #-}
 
 -- | A shape made ready. ('Nothing' for a direction that cannot be made unit, which checked shapes do not have.)
+--
+-- Spec: geometry.plane.unit-normal, geometry.transformed.nested.
 prepare :: Shape -> Maybe Prepared
 prepare shape = case shape of
   APlane p -> onPlane p Plane
@@ -134,6 +136,8 @@ ofTriangle a b c n = Triangle (packed a) (packed b) (packed c) (packedUnit n)
 {-# INLINE ofTriangle #-}
 
 -- | The same with unit normals at the corners, and texture coordinates.
+--
+-- Spec: geometry.smooth-triangle.flat-corner.
 ofSmoothTriangle :: Point -> Point -> Point -> Unit -> Unit -> Unit -> Unit -> Corners (V2 Double) -> Prepared
 ofSmoothTriangle a b c n n0 n1 n2 = SmoothTriangle (packed a) (packed b) (packed c) (packedUnit n) (packedUnit n0) (packedUnit n1) (packedUnit n2)
 {-# INLINE ofSmoothTriangle #-}
@@ -162,6 +166,8 @@ ofCorners t make =
 -- it enters and where it leaves.
 --
 -- Law: sorted; each point lies on the shape, to rounding.
+--
+-- Spec: geometry.ray.direction, geometry.ray.line, geometry.hit.finite, geometry.smooth-triangle.parameters.
 parameters :: Prepared -> Ray -> [Double]
 parameters shape r = build $ \cons nil -> case shape of
   Plane p n -> foldr cons nil (planeParameters (unpacked p) (unpackedUnit n) r)
@@ -175,6 +181,8 @@ parameters shape r = build $ \cons nil -> case shape of
 {-# INLINE parameters #-}
 
 -- | The parameters of the rare shapes. Their lists are made; beside the arithmetic that is little.
+--
+-- Spec: geometry.transformed.parameters, geometry.transformed.nested.
 rareParameters :: Rare -> Ray -> [Double]
 rareParameters rare r = case rare of
   Tube a -> along a tubeParameters r
@@ -188,6 +196,8 @@ rareParameters rare r = case rare of
 
 -- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound; the bound
 -- itself if there is none.
+--
+-- Spec: geometry.hit.smallest-parameter, geometry.hit.first, geometry.hit.none, light.shadow.itself.
 nearest :: Prepared -> Ray -> Double -> Double
 nearest shape r = firstAhead $ case shape of
   Sphere c radiusSquared -> sphereParametersAhead (unpacked c) radiusSquared r
@@ -202,6 +212,8 @@ firstAhead = foldr keep id
 {-# INLINE firstAhead #-}
 
 -- | The outward unit normal where a ray meets the shape, at a parameter that 'parameters' gave; not turned towards the ray.
+--
+-- Spec: geometry.hit.normal, geometry.triangle.both-sides.
 normalAt :: Prepared -> Ray -> Double -> Unit
 normalAt shape r t = case shape of
   Plane _ n -> unpackedUnit n
@@ -215,6 +227,7 @@ normalAt shape r t = case shape of
   Rare rare -> rareNormal rare r t
 {-# INLINE normalAt #-}
 
+-- Spec: geometry.transformed.normal.
 rareNormal :: Rare -> Ray -> Double -> Unit
 rareNormal rare !r !t = case rare of
   Tube a -> along a (\p1 s _ _ -> tubeNormal p1 s (position r t))
@@ -227,6 +240,8 @@ rareNormal rare !r !t = case rare of
 {-# NOINLINE rareNormal #-}
 
 -- | A normal turned against the direction in which a ray arrives: n where \<d, n> < 0, otherwise -n.
+--
+-- Spec: geometry.hit.shading-normal.
 shadingNormal :: Ray -> Unit -> Unit
 {-# INLINE shadingNormal #-}
 shadingNormal r n
@@ -235,6 +250,8 @@ shadingNormal r n
 
 -- | The texture coordinates where a ray meets the shape, at a parameter that 'parameters' gave; those of a transformed shape are taken in its
 -- own frame.
+--
+-- Spec: geometry.smooth-triangle.uv, geometry.lens.uv, geometry.transformed.uv, geometry.uv.every-shape.
 textureAt :: Prepared -> Ray -> Double -> V2 Double
 textureAt shape !r !t = case shape of
   Plane p n -> planeUv (unpacked p) (unpackedUnit n) v
@@ -260,6 +277,8 @@ textureAt shape !r !t = case shape of
     outward = normalAt shape r t
 
 -- | Whether the shape has an inside.
+--
+-- Spec: geometry.contains.closed, optics.body.closed.
 isClosed :: Prepared -> Bool
 isClosed shape = case shape of
   Sphere _ _ -> True
@@ -278,6 +297,8 @@ isClosed shape = case shape of
   Rare (Cap {}) -> False
 
 -- | Whether a point is inside a closed shape. A point on the surface is not.
+--
+-- Spec: geometry.transformed.contains, geometry.contains.closed, geometry.contains.surface, optics.medium.model.
 contains :: Prepared -> Point -> Bool
 contains shape p = case shape of
   Sphere c radiusSquared -> sphereContains (unpacked c) radiusSquared p

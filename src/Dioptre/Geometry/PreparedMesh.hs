@@ -126,6 +126,8 @@ repeated m = snd . foldl' look (Map.empty, IntMap.empty) . IntSet.toAscList . In
         key = let Corners a b c = meshTriangle m i in (toList a, toList b, toList c)
 
 -- | The triangle of that number, from 0 to below the mesh's size, as a shape of its own; smooth if it has normals or texture coordinates.
+--
+-- Spec: models.obj.smooth.
 triangleShape :: Mesh -> Int -> Maybe Shape
 triangleShape m i = made <$> triangle (meshTriangle m i)
   where
@@ -136,6 +138,8 @@ triangleShape m i = made <$> triangle (meshTriangle m i)
 -- | The same, prepared.
 --
 -- Law: as preparing the shape. Nothing is computed anew.
+--
+-- Spec: models.transformed.
 preparedTriangle :: PreparedMesh -> Int -> Maybe Prepared
 preparedTriangle p !i
   | i < 0 || i >= meshSize m = Nothing
@@ -184,6 +188,8 @@ cornerUvs m i = uv . attribute (meshCornerUvs m) i <$> Corners 0 1 2
     uv j = if j < 0 then 0 else V2 (meshUvs m Vector.! (2 * j)) (meshUvs m Vector.! (2 * j + 1))
 
 -- | What a ray meets first among the triangles, and what was met before; the triangle of number i is offered as the given number more.
+--
+-- Spec: geometry.hit.index.
 closestTriangle :: PreparedMesh -> Int -> Ray -> Closest -> Closest
 closestTriangle m first r c = case descend (preparedMeshHierarchy m) (approach r) within (closestInRange m first seen r) c of
   Tried found n -> tried n found

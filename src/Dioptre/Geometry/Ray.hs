@@ -32,6 +32,8 @@ data Ray = Ray {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Dou
   deriving stock (Eq, Show)
 
 -- | The ray from a point in a direction.
+--
+-- Spec: geometry.ray.direction.
 ray :: Point -> Vector -> Ray
 ray o d = Ray (packed o) (packed d) (quadrance d)
 {-# INLINE ray #-}
@@ -57,6 +59,8 @@ directionQuadrance (Ray _ _ q) = q
 --
 -- >>> position (ray (V3 1 2 3) (V3 0 0 2)) 1.5
 -- V3 1.0 2.0 6.0
+--
+-- Spec: numbers.binary64, geometry.ray.position, geometry.hit.point.
 position :: Ray -> Double -> Point
 position r t = origin r + t *^ direction r
 {-# INLINE position #-}

@@ -52,6 +52,8 @@ sphere c r
 -- | Where a ray's line meets the sphere around C with that squared radius: where it enters and where it leaves.
 --
 -- Law: both points are at the radius from the centre, to the rounding of w (see Note [Far spheres]).
+--
+-- Spec: numbers.order, roots.quadratic.same, geometry.sphere.parameters, geometry.sphere.tangent, limits.accuracy.
 sphereParameters :: Point -> Double -> Ray -> [Double]
 sphereParameters c radiusSquared r = quadraticRoots (directionQuadrance r) (2 * dot w d) (dot w w - radiusSquared)
   where
@@ -71,6 +73,8 @@ sphereClearlyMissed c radiusSquared r = clearlyNone (directionQuadrance r) (dot 
 -- meets the sphere at no positive parameter, since the two roots have the product C0 \/ A > 0 and the sum -B \/ A <= 0.
 --
 -- Whether its line meets the sphere at all is asked first: it seldom does, while half of the spheres are behind, and a processor guesses the first question's answer right.
+--
+-- Spec: geometry.hit.first.
 sphereParametersAhead :: Point -> Double -> Ray -> [Double]
 sphereParametersAhead c radiusSquared r
   | sphereClearlyMissed c radiusSquared r = []
@@ -85,12 +89,16 @@ sphereParametersAhead c radiusSquared r
 
 -- | The outward unit normal at a point of the sphere: (r - C) \/ |r - C|. (At the centre, which is no point of the
 -- sphere, it is the z axis.)
+--
+-- Spec: geometry.hit.centre, geometry.sphere.normal.
 sphereNormal :: Point -> Point -> Unit
 sphereNormal c p = fromMaybe alongZ (unit (p - c))
 {-# INLINE sphereNormal #-}
 
 -- | Whether a point is inside the sphere with that squared radius: nearer to the centre than the radius less one part in ten thousand million
 -- ('surfaceThickness'). A point on the sphere is not.
+--
+-- Spec: geometry.sphere.contains.
 sphereContains :: Point -> Double -> Point -> Bool
 sphereContains c radiusSquared p = distance c p < (1 - surfaceThickness) * sqrt radiusSquared
 

@@ -102,6 +102,8 @@ torus p major minor
 -- [4.0,5.0]
 --
 -- Cost: a line that misses the sphere of radius R + r around P, three dot products; any other, a quartic.
+--
+-- Spec: geometry.torus.equation, geometry.torus.spindle, geometry.torus.precision.
 torusParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 torusParameters p n major minor r = build $ \cons nil ->
   let !(TorusLine l t0 scale c height slope) = torusLine p n major minor r
@@ -160,6 +162,8 @@ torusEquation major minor c n m = (2 * g - four * ((1 - m) * (1 + m)), 2 * four 
 -- | The outward unit normal at a point of the torus: (v - C) \/ |v - C|, where C is the point of the circle in whose tube's skin v lies, which is the nearest
 -- one, P + R (v - h n) \/ rho, except on the inner sheet of a spindle, where it is the one across the axis. At a point of the axis there is no one such point, and
 -- at C no direction; there it is n, on the side of n, or its opposite on the other side.
+--
+-- Spec: geometry.torus.normal.
 torusNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
 torusNormal p n major minor v = fromMaybe upright $ do
   outwards <- unit (w - h *^ vector n)
@@ -176,6 +180,8 @@ torusNormal p n major minor v = fromMaybe upright $ do
 -- True
 -- >>> torusContains 0 alongZ 2 1 (V3 0 0 0)
 -- False
+--
+-- Spec: geometry.torus.contains.
 torusContains :: Point -> Unit -> Double -> Double -> Point -> Bool
 torusContains p n major minor v = sqrt (across * across + h * h) < (1 - roundThickness) * minor
   where

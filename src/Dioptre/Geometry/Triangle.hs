@@ -64,6 +64,8 @@ data Triangle = Triangle
   deriving stock (Eq, Show)
 
 -- | The triangle with these corners; 'Nothing' if they lie on one line ('collinearSine').
+--
+-- Spec: code.collinear-points, geometry.triangle.normal, geometry.triangle.collinear.
 triangle :: Corners Point -> Maybe Triangle
 triangle points@(Corners p0 p1 p2) = do
   u1 <- vector <$> unit e1
@@ -88,6 +90,8 @@ data SmoothTriangle = SmoothTriangle
   deriving stock (Eq, Show)
 
 -- | A flat triangle made smooth. The normal of a corner that has none, or a zero one, is the flat triangle's.
+--
+-- Spec: shape.btriangle.normals, geometry.smooth-triangle.flat-corner.
 smoothTriangle :: Triangle -> Corners (Maybe Vector) -> Corners (V2 Double) -> SmoothTriangle
 smoothTriangle flat (Corners n0 n1 n2) = SmoothTriangle flat (Corners (orFlat n0) (orFlat n1) (orFlat n2))
   where
@@ -98,12 +102,17 @@ smoothTriangle flat (Corners n0 n1 n2) = SmoothTriangle flat (Corners (orFlat n0
 -- | Where a ray's line meets the triangle with unit normal n: one parameter or none.
 --
 -- Law: the point is on the plane, and its barycentric coordinates are at least 0 and add up to at most 1, to rounding.
+--
+-- Spec: geometry.triangle.both-sides, geometry.triangle.parameters, geometry.triangle.edge-on,
+--   geometry.smooth-triangle.parameters.
 triangleParameters :: Point -> Point -> Point -> Unit -> Ray -> [Double]
 triangleParameters p0 p1 p2 n r = [t | passes p0 p1 p2 r, t <- planeParameters p0 n r]
 {-# INLINE triangleParameters #-}
 
 -- | Whether the ray's line passes through the triangle, its edges included; not where the ray sees it edge-on, as a line. See
 -- Note [Watertight].
+--
+-- Spec: geometry.triangle.edges, geometry.triangle.watertight.
 passes :: Point -> Point -> Point -> Ray -> Bool
 passes p0 p1 p2 r = case direction r of
   V3 dx dy dz
@@ -131,6 +140,8 @@ passes p0 p1 p2 r = case direction r of
 data Shadow = Shadow !Double !Double
 
 -- | Twice the signed area between an edge and the ray. Exactly the negative for the edge the other way round.
+--
+-- Spec: geometry.triangle.edges, geometry.triangle.watertight.
 edge :: Shadow -> Shadow -> Double
 edge (Shadow ax ay) (Shadow bx by) = ax * by - ay * bx
 {-# INLINE edge #-}
@@ -145,6 +156,8 @@ edge (Shadow ax ay) (Shadow bx by) = ax * by - ay * bx
 --
 -- >>> barycentric (V3 0 0 0) (V3 1 0 0) (V3 1 0x1p-40 0) (V3 0.75 0x1p-42 0)
 -- (0.5,0.25)
+--
+-- Spec: geometry.triangle.barycentric, geometry.triangle.needle.
 barycentric :: Point -> Point -> Point -> Point -> (Double, Double)
 barycentric p0 p1 p2 p
   | d > needleSine * needleSine * (s11 * s22) && ordinary s11 && ordinary s22 && dot w w < vast = ((ws1 * s22 - ws2 * s12) / d, (ws2 * s11 - ws1 * s12) / d)
@@ -182,6 +195,8 @@ byCrossProducts w s1 s2 = (share (cross w' s2') k1, share (cross s1' w') k2)
 {-# NOINLINE byCrossProducts #-}
 
 -- | (1 - t1 - t2) N0 + t1 N1 + t2 N2, made unit; the flat normal where that vanishes.
+--
+-- Spec: geometry.smooth-triangle.normal, geometry.smooth-triangle.vanishing.
 interpolatedNormal :: Unit -> Corners Unit -> (Double, Double) -> Unit
 interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
   fromMaybe flat (unit ((1 - t1 - t2) *^ vector n0 + t1 *^ vector n1 + t2 *^ vector n2))

@@ -57,6 +57,8 @@ circle radius wPerp dPerp = Quadratic (dot dPerp dPerp) (2 * dot wPerp dPerp) (d
 -- at a height from 0 to H, ascending.
 --
 -- Law: each point is at the radius from the axis, to the rounding of the squared distance, and between the end planes.
+--
+-- Spec: geometry.tube.ends.
 tubeParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
 tubeParameters p1 s h radius r =
   [ t
@@ -71,6 +73,8 @@ tubeParameters p1 s h radius r =
 -- axis does not meet it.
 --
 -- Law: a negative radius gives what its opposite gives; radius 0 is met by lines through the axis, twice at one parameter.
+--
+-- Spec: geometry.tube.line-parameters, geometry.tube.along-axis.
 tubeLineParameters :: Point -> Unit -> Double -> Ray -> [Double]
 tubeLineParameters p s radius r = rootsOf (circle radius (across s (origin r - p)) (across s (direction r)))
 {-# INLINE tubeLineParameters #-}
@@ -78,6 +82,8 @@ tubeLineParameters p s radius r = rootsOf (circle radius (across s (origin r - p
 -- | The outward unit normal at a point v of the tube: (v - P1)_perp, made unit. (On the axis, where no point of a tube is, it is the axis.)
 --
 -- Law: orthogonal to the axis, to rounding.
+--
+-- Spec: geometry.hit.centre, geometry.tube.normal.
 tubeNormal :: Point -> Unit -> Point -> Unit
 tubeNormal p1 s v = fromMaybe s (unit (across s (v - p1)))
 {-# INLINE tubeNormal #-}

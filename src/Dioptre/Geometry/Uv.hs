@@ -49,6 +49,8 @@ import Linear.V3 (V3 (..))
 --
 -- >>> frame alongZ
 -- (V3 1.0 0.0 0.0,V3 0.0 1.0 0.0)
+--
+-- Spec: geometry.uv.frame.
 frame :: Unit -> (Vector, Vector)
 frame n = (e1, cross v e1)
   where
@@ -62,6 +64,8 @@ frame n = (e1, cross v e1)
     e1 = maybe along vector (unit (along - dot along v *^ v))
 
 -- | On the plane through P with unit normal n: (\<w, e1>, -\<w, e2>).
+--
+-- Spec: geometry.plane.uv.
 planeUv :: Point -> Unit -> Point -> V2 Double
 planeUv p n v = V2 (dot w e1) (negate (dot w e2))
   where
@@ -70,6 +74,8 @@ planeUv p n v = V2 (dot w e1) (negate (dot w e2))
 
 -- | On what lies over a disk around P with unit normal n and radius R: (1\/2 + \<w, e1>\/2R, 1\/2 - \<w, e2>\/2R). So on the disk itself, the annulus (R being the
 -- outer radius), the spherical cap, and the ends of cylinder and cone.
+--
+-- Spec: geometry.disk.uv, geometry.lens.uv.
 diskUv :: Point -> Unit -> Double -> Point -> V2 Double
 diskUv p n radius v = V2 (0.5 + a / (2 * radius)) (0.5 + b / (2 * radius))
   where
@@ -80,6 +86,8 @@ diskUv p n radius v = V2 (0.5 + a / (2 * radius)) (0.5 + b / (2 * radius))
 --
 -- >>> sphereUv (V3 0 0 0) (V3 0 2 0)
 -- V2 0.5 0.0
+--
+-- Spec: numbers.elementary, geometry.hit.centre, geometry.sphere.uv.
 sphereUv :: Point -> Point -> V2 Double
 sphereUv c p = V2 (0.5 + atan2 z x / (2 * pi)) (atan2 (sqrt (x * x + z * z)) y / pi)
   where
@@ -87,6 +95,8 @@ sphereUv c p = V2 (0.5 + atan2 z x / (2 * pi)) (atan2 (sqrt (x * x + z * z)) y /
 
 -- | On the side of a tube, a cylinder or a cone from P1 along the unit axis S, of length H: u = 1\/2 + atan2(\<w, e2>, \<w, e1>)\/2pi, v = 1 - h\/H, with h the height
 -- from P1. A point that rounding put beyond an end is on it: the length may be less than the rounding of a position, and v would be any number.
+--
+-- Spec: geometry.tube.uv, geometry.lens.uv.
 sideUv :: Point -> Unit -> Double -> Point -> V2 Double
 sideUv p1 s h v = V2 (turn s w) (1 - height / h)
   where
@@ -94,6 +104,8 @@ sideUv p1 s h v = V2 (turn s w) (1 - height / h)
     height = max 0 (min h (dot w (vector s)))
 
 -- | On the torus around P in the plane with unit normal n, its circle of radius R: u as on a side, v = 1\/2 - atan2(\<w, n>, |w_perp| - R)\/2pi.
+--
+-- Spec: geometry.torus.uv.
 torusUv :: Point -> Unit -> Double -> Point -> V2 Double
 torusUv p n major v = V2 (turn n w) (0.5 - atan2 (dot w (vector n)) (modulus (across n w) - major) / (2 * pi))
   where
@@ -107,6 +119,8 @@ turn n w = 0.5 + atan2 (dot w e2) (dot w e1) / (2 * pi)
 
 -- | On a cylinder from P1 along S, of length H and radius R, at a point with a given outward normal: an end, if the normal is that end's, is a
 -- disk with that normal; the rest is the side.
+--
+-- Spec: geometry.cylinder.uv.
 cylinderUv :: Point -> Unit -> Double -> Double -> Unit -> Point -> V2 Double
 cylinderUv p1 s h radius n v
   | n == s = diskUv (p1 + h *^ vector s) s radius v
@@ -115,6 +129,8 @@ cylinderUv p1 s h radius n v
 
 -- | On a cone, at a point with a given outward normal: the base, if the normal is the base's, is a disk with that normal; the rest, with the apex, is
 -- the side. The height on a flat cone ('isFlatCone') may be less than the rounding of a position; there v is the same as the distance from the axis, in units of R.
+--
+-- Spec: geometry.cone.uv.
 coneUv :: Point -> Unit -> Double -> Double -> Unit -> Point -> V2 Double
 coneUv p1 s h radius n v
   | n == opposite s = diskUv p1 n radius v
@@ -124,6 +140,8 @@ coneUv p1 s h radius n v
     w = v - p1
 
 -- | On the face with a given outward normal of the cube around C with half size h: as on a disk of radius h around the middle of the face.
+--
+-- Spec: geometry.cube.uv.
 cubeUv :: Point -> Double -> Unit -> Point -> V2 Double
 cubeUv c h n = diskUv (c + h *^ vector n) n h
 
@@ -136,6 +154,8 @@ triangleUv (t1, t2) = V2 t1 t2
 --
 -- >>> map wrapped [0.1, 1, 2, 2.25, 0, -0.25, -1, -1e-20]
 -- [0.1,1.0,1.0,0.25,0.0,0.75,0.0,1.0]
+--
+-- Spec: geometry.uv.wrap, models.texture.texel.
 wrapped :: Double -> Double
 wrapped u
   | u > 0 = if u < whole then u - fromIntegral (ceiling u - 1 :: Int) else 1

@@ -43,14 +43,20 @@ black = rgb 0 0 0
 white = rgb 1 1 1
 
 -- | A colour k times as strong, as opaque as before.
+--
+-- Spec: light.colour.channels.
 scaled :: Double -> Colour -> Colour
 scaled k (Colour r g b a) = Colour (k * r) (k * g) (k * b) a
 
 -- | What is left of the first colour's light after the second let it through, channel by channel; as opaque as the first.
+--
+-- Spec: light.colour.channels.
 filtered :: Colour -> Colour -> Colour
 filtered (Colour r g b a) (Colour r' g' b' _) = Colour (r * r') (g * g') (b * b') a
 
 -- | Two lights together; as opaque as the first.
+--
+-- Spec: light.colour.channels, light.colour.above-one.
 plus :: Colour -> Colour -> Colour
 plus (Colour r g b a) (Colour r' g' b' _) = Colour (r + r') (g + g') (b + b') a
 
@@ -64,6 +70,8 @@ capped x = if x > brightest then brightest else x
 {-# INLINE capped #-}
 
 -- | The colour of that name, English or French, in any case.
+--
+-- Spec: form.colour.
 named :: Text -> Maybe Colour
 named name = lookup (Text.toLower name) names
 

@@ -95,6 +95,8 @@ each NoPictures = (Nothing, Nothing, Nothing)
 each (Pictures a d s) = (a, d, s)
 
 -- | The finish of a material; pictures by the names of their files.
+--
+-- Spec: light.material.tint, light.material.index.
 finish :: Material -> Finish Text
 finish m =
   Finish
@@ -109,10 +111,14 @@ finish m =
     named which = materialTextures m >>= which
 
 -- | The same finish with its pictures looked up: a colour stands for itself where there is none.
+--
+-- Spec: light.material.texture.
 withPictures :: (a -> Maybe b) -> Finish a -> Finish b
 withPictures look f = f {finishPictures = let (a, d, s) = each (finishPictures f) in pictures (a >>= look) (d >>= look) (s >>= look)}
 
 -- | Whether it lets light through.
+--
+-- Spec: light.material.tint.
 isTransparent :: Finish picture -> Bool
 isTransparent f = finishTransparency f /= 0
 {-# INLINE isTransparent #-}

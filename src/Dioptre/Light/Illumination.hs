@@ -30,6 +30,8 @@ import Dioptre.Math.Vector (Unit, Vector, dot, modulus, vector, (^/))
 import Dioptre.Optics.Reflection (reflected)
 
 -- | Light from everywhere: light . surface.
+--
+-- Spec: light.ambient.
 ambient :: Colour -> Colour -> Colour
 ambient = filtered
 {-# INLINE ambient #-}
@@ -37,6 +39,8 @@ ambient = filtered
 -- | Light that the surface scatters: light . surface . \<N, -d>; black where the light comes from behind.
 --
 -- Law: a surface that faces the light sends all of it back, and one at 60 degrees half.
+--
+-- Spec: light.lambert, light.lambert.behind.
 lambert :: Colour -> Colour -> Unit -> Vector -> Colour
 lambert light surface n d
   | facing < 0 = black
@@ -47,6 +51,8 @@ lambert light surface n d
 
 -- | A highlight, as Blinn has it: light . surface . \<N, H>^shininess; black where \<N, H> is negative, and where light and viewer are exactly
 -- opposite, so that there is no H. The exponent 0 gives the factor 1.
+--
+-- Spec: light.blinn, light.blinn.behind, light.blinn.opposite.
 blinn :: Colour -> Colour -> Unit -> Vector -> Vector -> Double -> Colour
 blinn light surface n d v shininess
   | width <= 0 || facing < 0 = black
@@ -58,6 +64,8 @@ blinn light surface n d v shininess
 {-# INLINE blinn #-}
 
 -- | A highlight, as Phong has it: light . surface . \<R, E>^shininess; black where \<R, E> is negative. The exponent 0 gives the factor 1.
+--
+-- Spec: light.phong, light.phong.behind.
 phong :: Colour -> Colour -> Unit -> Vector -> Vector -> Double -> Colour
 phong light surface n d v shininess
   | facing < 0 = black
@@ -70,6 +78,8 @@ phong light surface n d v shininess
 --
 -- Most shininesses are whole numbers, and those to 256 are taken by squaring, in at most 16 products: a third of the time of the library's power. The relative error
 -- of x^(2k) is twice that of x^k and 2^-53 more, which makes at most n 2^-53 in all: below 3e-14.
+--
+-- Spec: numbers.elementary, light.power.
 power :: Double -> Double -> Double
 power x n
   | k >= 0 && k <= 256 && fromIntegral k == n = squaring k x 1

@@ -77,10 +77,14 @@ data Aperture = Aperture
   deriving stock (Eq, Show)
 
 -- | Whether a lamp's attenuation is possible: not all three attenuators are zero.
+--
+-- Spec: code.no-attenuation.
 attenuates :: Lamp -> Bool
 attenuates l = lampAttenuators l /= (0, 0, 0)
 
 -- | Whether a wavelength has a colour.
+--
+-- Spec: code.invisible-wavelength, light.wave.visible.
 isVisible :: Wave -> Bool
 isVisible w = waveLength w >= shortestVisible && waveLength w <= longestVisible
 

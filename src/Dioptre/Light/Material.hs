@@ -54,22 +54,32 @@ data Textures = Textures
   deriving stock (Eq, Show)
 
 -- | A material of which nothing is said.
+--
+-- Spec: block.material.
 standard :: Material
 standard = Material "none" white 0.2 0.8 0.5 0 0 20 0 1 Nothing
 
 -- | The grey that stands in for a material that the scene names and does not have.
+--
+-- Spec: scene.material.substitute, light.material.substitute.
 substitute :: Text -> Material
 substitute name = standard {materialName = name, materialKa = 0.2, materialKd = 0.6, materialKs = 0.7}
 
 -- | The colour in ambient light: ka times the colour.
+--
+-- Spec: light.material.ambient.
 ambientColour :: Material -> Colour
 ambientColour m = scaled (materialKa m) (materialColour m)
 
 -- | The colour in diffused light, and the one that @no_light@ shows: kd times the colour.
+--
+-- Spec: light.material.diffuse.
 diffuseColour :: Material -> Colour
 diffuseColour m = scaled (materialKd m) (materialColour m)
 
 -- | The colour of highlights: ks times (p white + (1 - p) colour), with p the plasticity.
+--
+-- Spec: light.material.specular.
 specularColour :: Material -> Colour
 specularColour m = scaled (materialKs m) (scaled p white `plus` scaled (1 - p) (materialColour m))
   where

@@ -30,10 +30,14 @@ import Dioptre.Math.Vector (Point, cross, distance, unit, vector, (*^))
 import Linear.V3 (V3 (..))
 
 -- | No light has more sources than this.
+--
+-- Spec: code.too-many-oscillators, limits.language.
 mostOscillators :: Integer
 mostOscillators = 1000000
 
 -- | The sources of a light between two points: P1 + (P2 - P1) i \/ (n - 1); one alone stands in the middle.
+--
+-- Spec: light.wave.row.
 linearOscillators :: Int -> (Point, Point) -> [Point]
 linearOscillators n (a, b)
   | n <= 0 = []
@@ -41,6 +45,8 @@ linearOscillators n (a, b)
   | otherwise = [a + (fromIntegral i / fromIntegral (n - 1)) *^ (b - a) | i <- [0 .. n - 1]]
 
 -- | How many sources stand along the width and the height of an aperture that has n along its shorter side.
+--
+-- Spec: code.too-many-oscillators, light.wave.grid.
 oscillatorGrid :: Int -> Aperture -> (Integer, Integer)
 oscillatorGrid n aperture
   | n <= 0 = (0, 0)
@@ -54,6 +60,8 @@ oscillatorGrid n aperture
 
 -- | The sources of a plane aperture around a point: a grid over its width and height, those places left out that are not open. What is open is
 -- asked in coordinates from one corner, to the right and up.
+--
+-- Spec: light.wave.grid, light.wave.frame.
 planarOscillators :: (Double -> Double -> Bool) -> Point -> Int -> Aperture -> [Point]
 planarOscillators open position n aperture
   | nx <= 0 || ny <= 0 = []
@@ -80,6 +88,8 @@ planarOscillators open position n aperture
     made v = maybe v vector (unit v)
 
 -- | How much arrives at a point from some sources: from 0 to 1\/2 (to 1, where the period has one or two instants); 0 without sources.
+--
+-- Spec: numbers.elementary, light.wave.gives, light.wave.intensity, light.wave.few-instants, light.wave.none.
 intensity :: Wave -> Unboxed.Vector (Double, Double, Double) -> Point -> Double
 intensity wave sources p
   | Unboxed.null sources = 0

@@ -20,6 +20,8 @@ import Dioptre.Light.Colour (Colour, rgb)
 --
 -- >>> [round (255 * channel (colourOfWavelength 450)) | channel <- [red, green, blue]]
 -- [116,0,255]
+--
+-- Spec: numbers.elementary, light.wave.colour.
 colourOfWavelength :: Double -> Colour
 colourOfWavelength l = rgb (channel red) (channel green) (channel blue)
   where

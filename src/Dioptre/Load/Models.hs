@@ -92,10 +92,14 @@ inside :: Found -> Site -> Site
 inside file site = Site (siteLanguage site) (takeDirectory (foundPath file)) (deepestModels - 1) (file : siteOpen site)
 
 -- | Models stand in models so deep, at most.
+--
+-- Spec: models.limits, limits.language.
 deepestModels :: Int
 deepestModels = 64
 
 -- | A scene has so many shapes and triangles of models, at most, however few of them are in memory: 2^48.
+--
+-- Spec: models.limits, limits.language.
 mostParts :: Integer
 mostParts = 2 ^ (48 :: Int)
 
@@ -113,12 +117,16 @@ data Account = Account
 type Placing = StateT Account Loading
 
 -- | The models that a scene names, each placed or left out; and what there is to say of the places that name them.
+--
+-- Spec: code.files, models.order.
 loadModels :: Site -> [Mention] -> Loading ([Instance], [Diagnostic])
 loadModels site mentions = do
   (placed, account) <- runStateT (traverse (place site) mentions) (Account 0 0 Seq.empty)
   pure (catMaybes placed, toList (accountDiagnostics account))
 
 -- | The model that is named there, if it can be read and there is room for it.
+--
+-- Spec: models.uv-format, models.limits.
 place :: Site -> Mention -> Placing (Maybe Instance)
 place site mention = case modelFile model of
   -- That it names no file has been told.
@@ -147,6 +155,8 @@ complain :: Span -> Problem -> Placing ()
 complain where' problem = modify' (\a -> a {accountDiagnostics = accountDiagnostics a |> Diagnostic where' problem})
 
 -- | How v runs over the pictures of a model.
+--
+-- Spec: models.uv-format.
 upward :: UvFormat -> Upward
 upward = \case
   UvDefault -> FromFirstRow
@@ -157,6 +167,8 @@ upward = \case
 data Format = ObjFormat | MsrFormat | AgpFormat
 
 -- | The format that a name has, if it is one of those.
+--
+-- Spec: models.format.
 formatOf :: Text -> Maybe Format
 formatOf name = case takeExtension (Text.unpack (Text.toLower (Text.strip name))) of
   ".obj" -> Just ObjFormat
@@ -165,6 +177,8 @@ formatOf name = case takeExtension (Text.unpack (Text.toLower (Text.strip name))
   _ -> Nothing
 
 -- | The model that a name and a @uv_format@ mean, from the shelf or from its file; or what is the matter with it.
+--
+-- Spec: models.format, models.nested.
 modelNamed :: Site -> Text -> UvFormat -> Loading (Either Problem Shelved)
 modelNamed site name uvFormat = case formatOf name of
   Nothing -> pure (Left (UnknownModelFormat name))
@@ -190,6 +204,8 @@ loadModel site file uvFormat = \case
     path = foundPath file
 
 -- | A model in the scene language becomes part of the library, after those that it names.
+--
+-- Spec: models.nested.
 loadMsr :: Site -> Found -> UvFormat -> Source -> Loading Shelved
 loadMsr site file uvFormat source = do
   let msr = readMsr (parse source)
@@ -211,6 +227,8 @@ loadAgp file uvFormat source = do
   shelve uvFormat (Account (toInteger tubes) 0 Seq.empty) parts (Vector.map (withPictures (const Nothing)) finishes)
 
 -- | A mesh becomes part of the library, with the materials that its libraries have for it.
+--
+-- Spec: models.obj.unknown-material.
 loadObj :: Site -> Found -> UvFormat -> Obj -> Loading Shelved
 loadObj site file uvFormat obj = do
   libraries <- traverse (\named -> (,) named <$> loadMaterials site (namedText named)) (objLibraries obj)
@@ -239,6 +257,8 @@ loadMaterials site name =
       pure (Mtl (look <$> named) (look <$> nameless))
 
 -- | Puts a model into the library.
+--
+-- Spec: models.materials.
 shelve :: UvFormat -> Account -> [Part Instance] -> Vector (Finish Picture) -> Loading Shelved
 shelve uvFormat account parts finishes = do
   number <- gets (Seq.length . shelfLibrary)

@@ -98,6 +98,8 @@ data Shelved = Shelved
   }
 
 -- | What stands on a part of the shelf under a key; or else, from now on, what some work makes for it.
+--
+-- Spec: models.once.
 once :: Ord k => (Shelf -> Map k v) -> (Map k v -> Shelf -> Shelf) -> k -> Loading v -> Loading v
 once part put key work =
   gets (Map.lookup key . part) >>= maybe make pure
@@ -119,6 +121,8 @@ data Found = Found
   deriving stock (Eq, Show)
 
 -- | The file that a name means in a file of a folder.
+--
+-- Spec: code.files.
 findFile :: FilePath -> Text -> Loading (Either FileTrouble Found)
 findFile folder name = once shelfFound (\m shelf -> shelf {shelfFound = m}) (folder, name) (liftIO (seek folder name))
 
@@ -135,6 +139,8 @@ seek folder name = search "." folder name >>= either (pure . Left . trouble) (\p
       Below f -> f </> "..."
 
 -- | The pictures that a file in a folder names; and what is wrong with each place that names one.
+--
+-- Spec: code.files, files.pictures.
 loadPictures :: Language -> FilePath -> [(Text, FileUse, Span)] -> Loading (Map Text Picture, [Diagnostic])
 loadPictures l folder wanted = do
   loaded <- fmap Map.fromList . forM (nubOrd [name | (name, _, _) <- wanted]) $ \name ->
@@ -148,6 +154,8 @@ loadPictures l folder wanted = do
     )
 
 -- | The picture in a file.
+--
+-- Spec: models.texture.formats.
 loadTexture :: Language -> Found -> Loading (Either FileTrouble Picture)
 loadTexture l found =
   once shelfPictures (\m shelf -> shelf {shelfPictures = m}) (foundFile found) . liftIO $

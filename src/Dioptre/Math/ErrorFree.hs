@@ -56,6 +56,8 @@ halves x = Halves x1 (x - x1)
 -- >>> let x = 1 + 0x1p-30
 -- >>> productError x (halves x) (x * x) == 0x1p-60
 -- True
+--
+-- Spec: numbers.binary64.
 productError :: Double -> Halves -> Double -> Double
 productError x (Halves y1 y2) z = x2 * y2 - (((z - x1 * y1) - x1 * y2) - x2 * y1)
   where

@@ -25,6 +25,8 @@ import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 -- beyond that of infinity, which means nothing.)
 --
 -- Law: it keeps the order.
+--
+-- Spec: numbers.ulp.
 toOrdinal :: Double -> Int
 toOrdinal x
   | x < 0 = negate (fromIntegral (castDoubleToWord64 (negate x)))

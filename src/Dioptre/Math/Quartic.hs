@@ -66,6 +66,9 @@ import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 -- [0.0,0.0,0.0]
 --
 -- Cost: less than a microsecond; see 'quarticRoots'.
+--
+-- Spec: roots.total, roots.ascending, roots.degree, roots.no-negative-zero, roots.scale, roots.cubic.count,
+--   roots.multiple, roots.residual, roots.simple.
 cubicRoots :: Double -> Double -> Double -> Double -> [Double]
 cubicRoots a b c d
   | not (finite a && finite b && finite c && finite d) = []
@@ -85,6 +88,10 @@ cubicRoots a b c d
 --
 -- Cost: about a microsecond, and some hundred bytes. Where coefficients differ by more than 2^60 in size, or three roots or more nearly
 -- coincide, whole numbers do the work, in milliseconds.
+--
+-- Spec: numbers.not-finite, numbers.tolerances.only, roots.total, roots.ascending, roots.degree, roots.finite,
+--   roots.no-negative-zero, roots.scale, roots.quartic.count, roots.multiple, roots.residual, roots.simple,
+--   geometry.torus.precision.
 quarticRoots :: Double -> Double -> Double -> Double -> Double -> [Double]
 quarticRoots a b c d e
   | not (finite a && finite b && finite c && finite d && finite e) = []
@@ -93,6 +100,8 @@ quarticRoots a b c d e
   | otherwise = scaled quartic a b c d e
 
 -- | Ascending roots, and one more that is zero.
+--
+-- Spec: roots.zero-root.
 withZero :: [Double] -> [Double]
 withZero roots = let (below, above) = span (< 0) roots in below ++ 0 : above
 

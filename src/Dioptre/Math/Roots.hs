@@ -68,6 +68,9 @@ import GHC.Exts (build)
 --
 -- 1. @a = 0@, or @a@ or @b@ not finite: @[]@.
 -- 2. @x = 0 - b \/ a@ (subtracting from zero turns @-0@ into @0@); @[x]@ if it is finite, else @[]@.
+--
+-- Spec: numbers.negative-zero, numbers.tolerances.only, roots.total, roots.identity, roots.finite,
+--   roots.no-negative-zero, roots.linear.root.
 linearRoots :: Double -> Double -> [Double]
 linearRoots a b = build (ascending (linear a b))
 {-# INLINE linearRoots #-}
@@ -115,6 +118,10 @@ linearRoots a b = build (ascending (linear a b))
 -- and, where the two products of step 2 nearly cancel (a small sphere far away), some 35 operations of step 4.
 -- Nothing is allocated. Where @a@ or @b@ is zero, and where exponents are extreme, the work is done out of line, at
 -- several times the cost and with some 300 bytes.
+--
+-- Spec: numbers.not-finite, numbers.tolerances.only, roots.total, roots.ascending, roots.degree, roots.finite,
+--   roots.no-negative-zero, roots.scale, roots.quadratic.count, roots.quadratic.place, roots.quadratic.b-zero,
+--   roots.quadratic.same, geometry.sphere.tangent.
 quadraticRoots :: Double -> Double -> Double -> [Double]
 quadraticRoots a b c = build (ascending (quadratic a b c))
 {-# INLINE quadraticRoots #-}
@@ -168,6 +175,8 @@ roomy x = x > 0x1p-100 * 0x1p-100 * 0x1p-100 * 0x1p-100 && x < 0x1p100 * 0x1p100
 {-# INLINE roomy #-}
 
 -- | Step 1 in full, @b = 0@, and any exponents whatever. See Note [Exponents without bounds].
+--
+-- Spec: roots.scale, roots.quadratic.b-zero.
 quadraticElsewhere :: Double -> Double -> Double -> Roots
 quadraticElsewhere a b c
   | not (finite a && finite b && finite c) = None
@@ -189,6 +198,8 @@ quadraticElsewhere a b c
 {-# NOINLINE quadraticElsewhere #-}
 
 -- | The roots without those that overflowed.
+--
+-- Spec: geometry.hit.finite.
 representable :: Roots -> Roots
 representable (Two x y)
   | finite x && finite y = Two x y
@@ -213,6 +224,8 @@ solved over a b c u v
 
 -- | Step 4: the discriminant by Kahan's formula, to 2 ulp. It needs @u@ and @v@ within a factor of 2 of each other.
 -- See Note [The sign of the discriminant].
+--
+-- Spec: roots.quadratic.count.
 refined :: Double -> Double -> Double -> Double
 refined a b c = (u - v) + (productError b (halves b) u - productError (4 * a) (halves c) v)
   where

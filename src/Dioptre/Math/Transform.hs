@@ -73,6 +73,8 @@ data Transform = Transform
   deriving stock (Eq, Show)
 
 -- | From scale, rotation and translation; 'Nothing' if a factor is zero.
+--
+-- Spec: transform.order, transform.inverse.
 transform :: Vector -> Vector -> Vector -> Maybe Transform
 transform s r t
   | 0 `elem` s = Nothing
@@ -86,6 +88,8 @@ identity = Transform (V3 1 1 1) 0 0
 --
 -- >>> matrix identity
 -- V4 (V4 1.0 0.0 0.0 0.0) (V4 0.0 1.0 0.0 0.0) (V4 0.0 0.0 1.0 0.0) (V4 0.0 0.0 0.0 1.0)
+--
+-- Spec: numbers.elementary, transform.matrix, transform.order, geometry.transformed.rotated.
 matrix :: Transform -> V4 (V4 Double)
 matrix t = V4 (row lx tx) (row ly ty) (row lz tz) (V4 0 0 0 1)
   where
@@ -94,6 +98,8 @@ matrix t = V4 (row lx tx) (row ly ty) (row lz tz) (V4 0 0 0 1)
     row (V3 x y z) = V4 x y z
 
 -- | The rows of Rz Ry Rx.
+--
+-- Spec: transform.tolerance.
 rotation :: Vector -> V3 Vector
 rotation (V3 x y z) =
   V3
@@ -106,10 +112,14 @@ rotation (V3 x y z) =
     (cz, sz) = cosineAndSine z
 
 -- | The rows of L = Rz Ry Rx S: each column of the rotation, times its factor.
+--
+-- Spec: transform.tolerance.
 linearPart :: Transform -> V3 Vector
 linearPart t = fmap (+ 0) . (* transformScale t) <$> rotation (transformRotation t)
 
 -- | Cosine and sine of an angle in degrees; exactly 0, 1 or -1 at multiples of 90.
+--
+-- Spec: transform.quarters, geometry.transformed.rotated.
 cosineAndSine :: Double -> (Double, Double)
 cosineAndSine degrees = case quarters `mod` 4 of
   0 -> (c, s)
@@ -153,11 +163,15 @@ placement t = Placement (packed lx) (packed ly) (packed lz) (packed (column ex s
 -- | Where a point comes to lie: L p + T.
 --
 -- Law: 'inversePosition' undoes it, to rounding.
+--
+-- Spec: transform.position.
 transformPosition :: Placement -> Point -> Point
 transformPosition m@(Placement _ _ _ _ _ _ t) p = transformDirection m p + unpacked t
 {-# INLINE transformPosition #-}
 
 -- | What becomes of the way from one point to another: L d. The length changes with it.
+--
+-- Spec: transform.direction.
 transformDirection :: Placement -> Vector -> Vector
 transformDirection (Placement lx ly lz _ _ _ _) = rows lx ly lz
 {-# INLINE transformDirection #-}
@@ -167,6 +181,8 @@ transformDirection (Placement lx ly lz _ _ _ _) = rows lx ly lz
 -- is not zero, unless it underflows: then nothing is turned.)
 --
 -- Law: it is orthogonal to the image of every direction that n is orthogonal to.
+--
+-- Spec: transform.normal, transform.normal.mirror, geometry.transformed.normal, geometry.transformed.mirrored.
 transformNormal :: Placement -> Unit -> Unit
 transformNormal (Placement _ _ _ ix iy iz _) n = fromMaybe n (unit (x *^ unpacked ix + y *^ unpacked iy + z *^ unpacked iz))
   where
@@ -174,11 +190,15 @@ transformNormal (Placement _ _ _ ix iy iz _) n = fromMaybe n (unit (x *^ unpacke
 {-# INLINE transformNormal #-}
 
 -- | Where a point came from: L^-1 (p - T).
+--
+-- Spec: transform.inverse, geometry.transformed.contains.
 inversePosition :: Placement -> Point -> Point
 inversePosition m@(Placement _ _ _ _ _ _ t) p = inverseDirection m (p - unpacked t)
 {-# INLINE inversePosition #-}
 
 -- | What a direction was: L^-1 d.
+--
+-- Spec: transform.inverse.
 inverseDirection :: Placement -> Vector -> Vector
 inverseDirection (Placement _ _ _ ix iy iz _) = rows ix iy iz
 {-# INLINE inverseDirection #-}

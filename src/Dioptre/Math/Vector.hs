@@ -52,6 +52,8 @@ import qualified Linear.V3 as Linear
 import qualified Linear.Vector as Linear
 
 -- | A displacement, or a direction of any length, in world space.
+--
+-- Spec: vector.add, vector.subtract.
 type Vector = V3 Double
 
 -- | A position in world space.
@@ -60,6 +62,8 @@ type Point = V3 Double
 -- | The dot product, (a_x b_x + a_y b_y) + a_z b_z.
 --
 -- Law: bilinear; zero for orthogonal vectors.
+--
+-- Spec: numbers.binary64, numbers.order, vector.dot.
 dot :: Vector -> Vector -> Double
 dot = Linear.dot
 {-# INLINE dot #-}
@@ -67,11 +71,15 @@ dot = Linear.dot
 -- | The cross product, (a_y b_z - a_z b_y, a_z b_x - a_x b_z, a_x b_y - a_y b_x): orthogonal to both, right-handed.
 --
 -- Law: bilinear; a x b = -(b x a), to the bit.
+--
+-- Spec: vector.cross.
 cross :: Vector -> Vector -> Vector
 cross = Linear.cross
 {-# INLINE cross #-}
 
 -- | The square of the length, (x x + y y) + z z.
+--
+-- Spec: vector.modulus.
 quadrance :: Vector -> Double
 quadrance = Linear.quadrance
 {-# INLINE quadrance #-}
@@ -79,6 +87,8 @@ quadrance = Linear.quadrance
 infixl 7 *^, ^/
 
 -- | A number times a vector.
+--
+-- Spec: numbers.subnormal, vector.scale.
 (*^) :: Double -> Vector -> Vector
 (*^) = (Linear.*^)
 {-# INLINE (*^) #-}
@@ -93,6 +103,8 @@ infixl 7 *^, ^/
 --
 -- >>> modulus (V3 2 3 6)
 -- 7.0
+--
+-- Spec: vector.modulus.
 modulus :: Vector -> Double
 modulus v = sqrt (quadrance v)
 {-# INLINE modulus #-}
@@ -101,6 +113,8 @@ modulus v = sqrt (quadrance v)
 --
 -- >>> distance (V3 1 1 1) (V3 3 4 7)
 -- 7.0
+--
+-- Spec: vector.distance.
 distance :: Point -> Point -> Double
 distance a b = modulus (b - a)
 {-# INLINE distance #-}
@@ -116,6 +130,8 @@ distance a b = modulus (b - a)
 --
 -- >>> angle (V3 1 0 0) (V3 0 2 0) == pi / 2
 -- True
+--
+-- Spec: numbers.elementary, numbers.negative-zero, vector.angle, vector.angle.zero.
 angle :: Vector -> Vector -> Double
 angle a b
   | a == 0 || b == 0 = 0
@@ -147,6 +163,8 @@ newtype Unit = Unit Vector
 -- Nothing
 -- >>> unit (V3 1 0 (1 / 0))
 -- Nothing
+--
+-- Spec: numbers.order, vector.normalize, vector.normalize.zero, vector.normalize.extremes, geometry.plane.unit-normal.
 unit :: Vector -> Maybe Unit
 unit v
   -- 1e-280 and 1e280. See Note [Literals] of "Dioptre.Math.Roots".
@@ -157,6 +175,8 @@ unit v
 {-# INLINE unit #-}
 
 -- | 'unit' where the quadrance cannot be trusted; out of the way of the common case.
+--
+-- Spec: vector.normalize.extremes.
 unitScaled :: Vector -> Maybe Unit
 unitScaled v
   | v == 0 || isInfinite largest || isNaN largest = Nothing

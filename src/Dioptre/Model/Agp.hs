@@ -51,10 +51,14 @@ import Dioptre.Syntax.Value (real)
 import Linear.V3 (V3 (..))
 
 -- | The radius of the tubes.
+--
+-- Spec: models.agp.
 tubeRadius :: Double
 tubeRadius = 0.1
 
 -- | The tubes that a file describes, all of one finish, and what is wrong with it, in its order. Total, linear.
+--
+-- Spec: models.agp, models.agp.faults.
 readAgp :: Source -> (Content nested Text, [Diagnostic])
 readAgp source = (Content (mapMaybe solid pieces) (Vector.singleton (finish paint)), sortOn diagnosticSpan (broken <> pointless))
   where
@@ -90,6 +94,8 @@ curvesOf rows = case dropWhile (not . beginsCurve) rows of
     isMeantAsRow (Token _ word :| _) = Text.any (\c -> isDigit c || c `elem` ("+-.," :: String)) (Text.take 1 word)
 
 -- | curve = row row row
+--
+-- Spec: models.agp.faults.
 curve :: Row -> Row -> Row -> Either Diagnostic [Located]
 curve xs ys zs = zip (map tokenSpan (toList xs)) <$> (zipWith3 V3 <$> numbers xs <*> (numbers ys <* alike ys) <*> (numbers zs <* alike zs))
   where

@@ -58,14 +58,20 @@ data Mtl picture = Mtl
   deriving stock (Eq, Show)
 
 -- | What a material is of which nothing is said.
+--
+-- Spec: models.mtl.defaults.
 unsaid :: Finish picture
 unsaid = matt (rgb 0.2 0.2 0.2) (rgb 0.3 0.7 0.3) (rgb 0.2 0.2 0.2)
 
 -- | What stands in for a material that no library has.
+--
+-- Spec: models.obj.unknown-material.
 unknown :: Finish picture
 unknown = matt (rgb 0.1 0.1 0.1) (rgb 0.3 0.7 0.3) (rgb 0.05 0.05 0.05)
 
 -- | Ambient, diffuse and specular colour, without pictures; neither a mirror nor transparent.
+--
+-- Spec: models.mtl.finish.
 matt :: Colour -> Colour -> Colour -> Finish picture
 matt ambient diffuse specular =
   Finish
@@ -79,6 +85,8 @@ matt ambient diffuse specular =
 
 -- | The finishes of the materials of these names, from the first library that has each; and the names that none has, for which 'unknown' stands in. The
 -- material @default@ is always there: where none is called so, it is what a library says before any @newmtl@, or else 'unsaid'.
+--
+-- Spec: models.obj.materials, models.obj.unknown-material.
 finishesOf :: [Mtl picture] -> [Text] -> ([Finish picture], [Text])
 finishesOf libraries names = (map (fromMaybe unknown . found) names, filter (isNothing . found) names)
   where
@@ -86,6 +94,8 @@ finishesOf libraries names = (map (fromMaybe unknown . found) names, filter (isN
     nameless = fromMaybe unsaid (asum (map mtlNameless libraries))
 
 -- | Reads a library. What is wrong is told in the order of the file: 'keptInFull' faults, and the number of the others.
+--
+-- Spec: models.mtl.keywords.
 readMtl :: Source -> (Mtl Named, [Diagnostic])
 readMtl source = (Mtl (Map.map fst materials) nameless, bounded (sortOn diagnosticSpan (concat (namelessFaults : faults))))
   where
@@ -160,6 +170,8 @@ material known (Statement word rest l, properties) = case (rest, Map.lookup name
     (finish, faults) = finishFrom properties
 
 -- | The finish that these lines describe.
+--
+-- Spec: models.mtl.finish.
 finishFrom :: [Statement] -> (Finish Named, [Diagnostic])
 finishFrom = fmap concat . mapAccumL step unsaid
   where
@@ -168,6 +180,8 @@ finishFrom = fmap concat . mapAccumL step unsaid
       Just change -> change finish
 
 -- | What a line does to a finish, and what is wrong with the line; 'Nothing' if its word is none of those that count.
+--
+-- Spec: models.mtl.keywords, models.mtl.pictures.
 property :: Statement -> Maybe (Finish Named -> (Finish Named, [Diagnostic]))
 property (Statement word rest l) = case tokenText word of
   "Ka" -> Just (colour finishAmbient withAmbient)
@@ -201,6 +215,8 @@ property (Statement word rest l) = case tokenText word of
       t : _ -> (with (nameFrom t l) f, [])
 
 -- | A number from 0 up; or where there is none, and why.
+--
+-- Spec: models.mtl.keywords.
 amount :: Token -> Either (Span, Refusal) Double
 amount (Token place t) = case single (Text.encodeUtf8 t) of
   Left why -> Left (place, why)
@@ -209,6 +225,8 @@ amount (Token place t) = case single (Text.encodeUtf8 t) of
     | otherwise -> Right x
 
 -- | The words of a picture without the options before its name.
+--
+-- Spec: models.mtl.pictures.
 withoutOptions :: [Token] -> [Token]
 withoutOptions [] = []
 withoutOptions ts@(t : rest)

@@ -42,6 +42,8 @@ import GHC.Float (double2Float, float2Double)
 -- Left (TooLarge "1e39")
 -- >>> single "nan"
 -- Left (NotANumber "nan")
+--
+-- Spec: models.obj.numbers.
 single :: ByteString -> Either Refusal Double
 single word
   | end < Bytes.length word || isNaN x = Left (NotANumber (characters word))
@@ -59,6 +61,8 @@ data Scanned = Scanned {-# UNPACK #-} !Int {-# UNPACK #-} !Double
 --
 -- >>> scan "v -1.5 2" 2
 -- Scanned 6 (-1.5)
+--
+-- Spec: models.obj.numbers.
 scan :: ByteString -> Int -> Scanned
 scan line from = whole start 0
   where

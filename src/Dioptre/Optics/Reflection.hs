@@ -17,6 +17,8 @@ import Dioptre.Math.Vector (Unit, Vector, dot, vector, (*^))
 --
 -- Laws: reflecting twice gives v again; the part along N changes its sign, the part across stays; it does not matter
 -- which side N is on.
+--
+-- Spec: optics.reflect, optics.reflect.along, optics.mirror.
 reflected :: Vector -> Unit -> Vector
 reflected v n = v - (2 * dot v (vector n)) *^ vector n
 {-# INLINE reflected #-}

@@ -23,6 +23,8 @@ import Dioptre.Math.Vector (Unit, Vector, dot, vector, (*^))
 -- one of index n2; 'Nothing' where all of it is reflected. Equal indices change nothing, at any angle.
 --
 -- Laws: n1 sin a1 = n2 sin a2; v, N and T lie in one plane; going back along T returns along v.
+--
+-- Spec: optics.refract, optics.refract.straight, optics.refract.equal, optics.refract.total, optics.body.total.
 refracted :: Vector -> Unit -> Double -> Double -> Maybe Vector
 refracted v n n1 n2
   | n1 == n2 = Just v

@@ -28,6 +28,8 @@ data Pixel = Pixel !Word8 !Word8 !Word8 !Word8
 --
 -- >>> pixelOf ClampChannel (Colour 0.5 2 0.25 1)
 -- Pixel 128 255 64 255
+--
+-- Spec: picture.pixel.
 pixelOf :: ColourNormalization -> Colour -> Pixel
 pixelOf how colour = Pixel (level r) (level g) (level b) (level a)
   where
@@ -37,6 +39,8 @@ pixelOf how colour = Pixel (level r) (level g) (level b) (level a)
 --
 -- >>> normalized DivisionFactor (Colour 0.5 2 0 1)
 -- Colour {red = 0.25, green = 1.0, blue = 0.0, alpha = 1.0}
+--
+-- Spec: light.colour.above-one, picture.clamp, picture.division, picture.alpha.
 normalized :: ColourNormalization -> Colour -> Colour
 normalized how (Colour r g b a) = case how of
   ClampChannel -> Colour (toOne r) (toOne g) (toOne b) (toOne a)
@@ -51,6 +55,8 @@ normalized how (Colour r g b a) = case how of
 --
 -- >>> map level [0, 0.25, 0.5, 0.75, 1]
 -- [0,64,128,191,255]
+--
+-- Spec: picture.byte, picture.byte.range.
 level :: Double -> Word8
 level c
   | c >= 1 = 255

@@ -29,10 +29,14 @@ import System.FilePath (takeExtension)
 -- | A picture as a PNG file: 8 bits a channel, with alpha.
 --
 -- Law: decoding it gives the picture.
+--
+-- Spec: picture.png.
 encode :: Picture -> Lazy.ByteString
 encode p = encodePng (Image (pictureWidth p) (pictureHeight p) (pictureBytes p) :: Image PixelRGBA8)
 
 -- | The picture in a file of any of the formats of "Dioptre.Picture.Header", or why there is none.
+--
+-- Spec: picture.png.
 decode :: ByteString -> Either PictureFault Picture
 decode bytes = decodeWith decoder bytes
   where
@@ -64,6 +68,8 @@ fromDynamic dynamic
 -- | The picture in a file of that name, as textures want it: row 0 is at the top, except in a TGA file, whose rows stay in the order
 -- in which it stores them. JuicyPixels turns the rows of a TGA that are stored from the bottom up (bit 5 of byte 17 is 0), so
 -- they are turned back.
+--
+-- Spec: models.texture.formats, models.texture.rows.
 decodeTexture :: FilePath -> ByteString -> Either PictureFault Picture
 decodeTexture path bytes
   | map toLower (takeExtension path) /= ".tga" = decode bytes

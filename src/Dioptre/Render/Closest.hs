@@ -29,6 +29,8 @@ import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), 
 -- | What a ray meets first, nearer than a bound.
 --
 -- Law: as sorting all the hits of all shapes and taking the first. Cost: like the logarithm of the number of shapes that have an end, where they are spread out.
+--
+-- Spec: geometry.hit.closest, geometry.hit.tie, geometry.hit.index, camera.far.
 closest :: World -> Ray -> Double -> Closest
 closest w !r !bound = case w of
   Few shapes _ _ -> closestInHandful shapes r bound

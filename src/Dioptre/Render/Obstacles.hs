@@ -39,6 +39,8 @@ data Obstacles = Obstacles
   }
 
 -- | What a ray meets nearer than a bound; no farther than the first thing that lets nothing through.
+--
+-- Spec: light.shadow.ray, light.shadow.opaque.
 obstacles :: World -> Ray -> Double -> Obstacles
 obstacles w !r !bound = case w of
   Few shapes g _ -> obstaclesOfFew shapes g r bound

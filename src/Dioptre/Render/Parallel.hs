@@ -20,6 +20,8 @@ import Data.Maybe (fromMaybe)
 -- is there. What receives them may be called by several workers at once. An exception ends all of them.
 --
 -- Law: what is handed over does not depend on the number of workers.
+--
+-- Spec: camera.independent.
 inParallel :: Int -> Int -> (Int -> a) -> (Int -> a -> IO ()) -> IO ()
 inParallel workers n compute receive = do
   next <- newIORef 0
@@ -35,6 +37,8 @@ inParallel workers n compute receive = do
 --
 -- >>> map (workersAmong 8) [Nothing, Just 3, Just 100000000]
 -- [8,3,8]
+--
+-- Spec: cli.render.
 workersAmong :: Int -> Maybe Int -> Int
 workersAmong processors = max 1 . min (min processors mostWorkers) . fromMaybe processors
 

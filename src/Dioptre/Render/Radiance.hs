@@ -54,6 +54,8 @@ data Seen = Seen
   deriving stock (Eq, Show)
 
 -- | Without light: the diffuse colour of the first surface, as opaque as its material, or black.
+--
+-- Spec: light.algorithm.no-light, camera.background.
 unlit :: Stage -> Double -> Ray -> Seen
 unlit s far r = case closest (stageWorld s) r far of
   Closest t i tests -> Seen (maybe black (colour t i) (finishAt (stageWorld s) i)) 1 tests False
@@ -65,6 +67,9 @@ unlit s far r = case closest (stageWorld s) r far of
 -- | With light: what the ray sees, up to the stage's depth, no farther than that from the start of each ray.
 --
 -- See Note [Rays as a stack] and Note [Numbers that travel].
+--
+-- Spec: light.opaque, optics.colour, optics.background, optics.depth, optics.secondary.origin, optics.mirror,
+--   optics.body.order, optics.medium.start, optics.budget, optics.budget.stack, optics.sum, camera.background.
 radiance :: Stage -> Terms -> Double -> Ray -> Seen
 radiance s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1 1 1 medium) Done
   where
@@ -107,6 +112,8 @@ data Pending = Pending {-# UNPACK #-} !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !D
 data Remaining = Done | Then {-# UNPACK #-} !Pending !Remaining
 
 -- | The refracted ray, if there is one, before those that remain: where a ray meets a surface with this finish, of the shape with this number. The normals there are the outward one and the one that is turned against the ray.
+--
+-- Spec: optics.secondary.origin, optics.body.closed, optics.body.entering, optics.body.leaving, optics.body.total.
 through :: World -> Finish Texture -> Int -> Pending -> Packed -> PackedUnit -> PackedUnit -> Remaining -> Remaining
 through w f !i (Pending r depth wr wg wb index) !at !outward !normal !rest
   | dot v (vector (unpackedUnit outward)) > 0 =

@@ -80,6 +80,8 @@ data Window = Window {windowColumn :: !Int, windowRow :: !Int, windowWidth :: !I
   deriving stock (Eq, Show)
 
 -- | The part of a viewport's picture from a column and row on, so wide and so high; 'Nothing' unless it has pixels and lies in the picture.
+--
+-- Spec: cli.render.crop.
 window :: Viewport -> Int -> Int -> Int -> Int -> Maybe Window
 window port x y w h
   | x >= 0 && y >= 0 && w > 0 && h > 0 && x <= viewportWidth port - w && y <= viewportHeight port - h = Just (Window x y w h)
@@ -94,6 +96,8 @@ plan :: Assets -> Library Texture -> Scene -> Plan
 plan assets library scene = planWithin (whole (sceneViewport scene)) assets library scene
 
 -- | The plan of a part of a scene's picture. Its pixels are those of the whole picture.
+--
+-- Spec: camera.independent.
 planWithin :: Window -> Assets -> Library Texture -> Scene -> Plan
 planWithin part assets library scene =
   Plan
@@ -134,6 +138,8 @@ data Row = Row
 
 -- | The row of that number, counted from 0 at the top of the plan's window. Rows depend on nothing else, so that they may be computed in any
 -- order, by anyone.
+--
+-- Spec: camera.every-pixel.
 row :: Plan -> Int -> Row
 row p !i = case planPixels p of
   Just flat -> runRow $ \target -> flatRow p flat y target
@@ -208,6 +214,8 @@ put target !x (Pixel r g b a) = do
 data Sampled = Sampled {-# UNPACK #-} !Colour {-# UNPACK #-} !Work
 
 -- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order and opaque.
+--
+-- Spec: camera.sampling.one, camera.sampling.mean, camera.sampling.opaque, camera.sampling.fixed.
 colourAt :: Plan -> Int -> Int -> Sampled
 colourAt p = sampled (planRaytracer p) v (maybe (unlit st) (radiance st) (stageTerms st) (viewFar v))
   where

@@ -17,6 +17,8 @@ import Dioptre.Scene.Raytracer (PixelCoordinate (..), Raytracer (..))
 
 -- | Where in the pixel the ray of a sample goes through, from 0 to 1 to the right and down. Arguments: the ray tracer, the width of the
 -- picture, then column, row and sample, each from 0.
+--
+-- Spec: camera.pixel-coordinate, camera.random, camera.seed.
 offset :: Raytracer -> Int -> Int -> Int -> Int -> (Double, Double)
 offset tracer width column row sample = case raytracerPixelCoordinate tracer of
   TopLeft -> (0, 0)
@@ -34,10 +36,14 @@ offset tracer width column row sample = case raytracerPixelCoordinate tracer of
 -- | The i-th number of the sequence that starts from a seed, at least 0 and less than 1: the upper 53 bits of
 -- mix (mix seed + (i + 1) 0x9E3779B97F4A7C15), times 2^-53, modulo 2^64. Source: G. Steele, D. Lea, C. Flood, "Fast splittable
 -- pseudorandom number generators", OOPSLA 2014.
+--
+-- Spec: camera.generator, camera.seed.largest.
 uniform :: Word64 -> Word64 -> Double
 uniform seed i = fromIntegral (mix (mix seed + (i + 1) * 0x9E3779B97F4A7C15) `shiftR` 11) * (1 / 9007199254740992)
 
 -- | SplitMix64's finaliser.
+--
+-- Spec: camera.generator.
 mix :: Word64 -> Word64
 mix z0 = z2 `xor` (z2 `shiftR` 31)
   where

@@ -44,6 +44,8 @@ data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Dou
 -- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the ray, seen in a direction; the sum over all lights, in their order.
 --
 -- What the algorithm leaves out is black. Which highlight it has is asked once, and not for each light.
+--
+-- Spec: light.sum.
 lighting :: Stage -> Terms -> Colours -> Packed -> PackedUnit -> Packed -> Lit
 lighting s terms !colours !p !n !v = case termHighlight terms of
   NoHighlight -> summed (\_ _ -> black)
@@ -64,6 +66,9 @@ lighting s terms !colours !p !n !v = case termHighlight terms of
 
 -- | The light of one source at a point with normal n of a surface with this ambient and this diffuse colour, and this highlight of a light that travels along a direction. It is handed on with how many rays and tests it took:
 -- whatever is done with it is done last, so that GHC makes jumps of all that happens here.
+--
+-- Spec: light.source.ambient, light.source.directional, light.source.point, light.source.at-zero,
+--   light.source.zero-denominator, light.shadow.turned-away, light.wave.gives, light.wave.shadow.
 illuminated :: World -> Colour -> Colour -> (Colour -> Vector -> Colour) -> Packed -> PackedUnit -> Source -> (Colour -> Int -> Int -> a) -> a
 illuminated w !ambient' !diffuse' highlight !at !normal source give = case source of
   FromEverywhere light -> give (ambient light ambient') 0 0
@@ -96,10 +101,14 @@ illuminated w !ambient' !diffuse' highlight !at !normal source give = case sourc
 {-# INLINE illuminated #-}
 
 -- | Whether a light has been filtered away.
+--
+-- Spec: light.shadow.dark, light.wave.shadow.
 dark :: Colour -> Bool
 dark (Colour r g b _) = r < smallestLight && g < smallestLight && b < smallestLight
 
 -- | The colours of a surface where a ray meets it, at a parameter.
+--
+-- Spec: light.material.texture, models.mtl.pictures.
 coloursAt :: Surface -> Ray -> Double -> Colours
 coloursAt (Surface shape f) r t = case finishPictures f of
   NoPictures -> finishColours f

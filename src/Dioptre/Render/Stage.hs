@@ -51,6 +51,8 @@ data Stage = Stage
   }
 
 -- | The stage of a scene with its pictures and models.
+--
+-- Spec: light.source.directional.
 stage :: Assets -> Library Texture -> Scene -> Stage
 stage assets library scene =
   Stage
@@ -71,6 +73,7 @@ data Source
   | -- | The same for waves, whose colour is the wavelength's, with the sources.
     FromWaves {-# UNPACK #-} !Colour {-# UNPACK #-} !Packed {-# UNPACK #-} !Attenuation !Wave !(Unboxed.Vector (Double, Double, Double))
 
+-- Spec: light.wave.place.
 source :: Assets -> Light -> Maybe Source
 source assets light = case light of
   Ambient c -> Just (FromEverywhere c)
@@ -90,6 +93,8 @@ source assets light = case light of
         (Unboxed.fromList [(x, y, z) | V3 x y z <- points])
 
 -- | Whether a place of an aperture, from its corner to the right and up, lets light through.
+--
+-- Spec: light.wave.ellipse, light.wave.mask, models.texture.mask.
 isOpen :: Assets -> Opening -> Aperture -> Double -> Double -> Bool
 isOpen assets opening aperture x y = case opening of
   Rectangle -> True
@@ -112,6 +117,8 @@ data Highlight = NoHighlight | BlinnHighlight | PhongHighlight
   deriving stock (Eq, Show)
 
 -- | The terms of an algorithm; 'Nothing' for the one without light.
+--
+-- Spec: light.algorithm.
 termsOf :: ReflexionAlgorithm -> Maybe Terms
 termsOf algorithm = case algorithm of
   NoLight -> Nothing

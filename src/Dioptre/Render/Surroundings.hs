@@ -30,6 +30,8 @@ import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), 
 import Linear.V3 (V3 (..))
 
 -- | The finishes of the closed shapes that a point is inside of, in the order of their numbers; a shape left out, by its number.
+--
+-- Spec: optics.medium.at, optics.medium.left-out, optics.medium.model.
 surroundings :: World -> Maybe Int -> Point -> [Finish Texture]
 surroundings w leftOut p = map snd (sortOn fst (filter ((/= leftOut) . Just . fst) (surroundingIn (root w) 0 p [])))
 
@@ -37,6 +39,8 @@ surroundings w leftOut p = map snd (sortOn fst (filter ((/= leftOut) . Just . fs
 -- A point on a surface is not inside.
 --
 -- Cost: constant where nothing closed lets light through; else that of 'surroundings'.
+--
+-- Spec: optics.body.leaving, optics.medium.at, optics.medium.opaque, optics.medium.start, optics.medium.left-out.
 refractiveIndexAt :: World -> Maybe Int -> Point -> Double
 refractiveIndexAt w leftOut p
   | worldHasMedia w = indexAmong w leftOut p

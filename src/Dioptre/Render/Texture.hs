@@ -40,6 +40,8 @@ data Upward
 
 -- | The colour of a picture at texture coordinates: the picture repeats beyond 0 and 1, v runs as the texture says, and the pixel is the one
 -- at trunc (u (width - 1)), trunc (v (height - 1)). Alpha is left out.
+--
+-- Spec: models.uv-format, models.texture.texel, models.texture.colour, models.texture.mask.
 texel :: Texture -> V2 Double -> Colour
 texel (Texture upward p) (V2 u v) = rgb (channel 0) (channel 1) (channel 2)
   where

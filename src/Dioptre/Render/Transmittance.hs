@@ -35,6 +35,9 @@ data Transmittance = Transmittance {-# UNPACK #-} !Double {-# UNPACK #-} !Double
   deriving stock (Eq, Show)
 
 -- | What comes past all that a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
+--
+-- Spec: light.shadow.ray, light.shadow.opaque, light.shadow.beyond, light.shadow.transparent, light.shadow.product,
+--   light.shadow.opaque-among, light.shadow.itself.
 transmittance :: World -> Ray -> Double -> Transmittance
 transmittance w !r !bound = past (obstacles w r bound)
 

@@ -50,6 +50,8 @@ data View = View
   deriving stock (Eq, Show)
 
 -- | The view of a camera through a viewport.
+--
+-- Spec: numbers.elementary, camera.size, camera.axes.
 view :: Camera -> Viewport -> View
 view cam port =
   View
@@ -85,11 +87,15 @@ madeUnit :: V3 Double -> V3 Double
 madeUnit v = maybe v vector (unit v)
 
 -- | The point of space at a point of the picture, in pixels from the top left corner: x to the right, y down.
+--
+-- Spec: camera.point.
 pointAt :: View -> Double -> Double -> Point
 pointAt v !x !y = unpacked (viewCorner v) + x *^ unpacked (viewRight v) + y *^ unpacked (viewDown v)
 {-# INLINE pointAt #-}
 
 -- | The ray through a point of the picture. Its direction is unit.
+--
+-- Spec: camera.ray, camera.near.
 rayThrough :: View -> Double -> Double -> Ray
 rayThrough v !x !y = ray p (maybe (unpacked (viewFront v)) vector (unit (p - unpacked (viewEye v))))
   where

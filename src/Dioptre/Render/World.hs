@@ -160,6 +160,9 @@ data Body
 -- Building
 
 -- | The world of a scene with its pictures and models.
+--
+-- Spec: scene.material.name, scene.material.repeated, light.material.substitute, light.material.first, models.block,
+--   models.transformed, models.order.
 world :: Assets -> Library Texture -> Scene -> World
 world assets library scene
   | hierarchyNodes (boxes (groupShapes top)) == 0 && Vector.null (things (groupInstances top)) = Few (handful (numbered (groupShapes top))) top extent

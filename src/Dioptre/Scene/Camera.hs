@@ -71,6 +71,8 @@ data Camera = Camera
 -- | The camera of some settings: front = look_at - position, up = (front x up) x front, both made unit.
 --
 -- Whether there is a part of up across the front is asked of up made unit, too: what is left of a long one by rounding may be long.
+--
+-- Spec: code.nowhere-to-look, code.up-along-front, code.far-before-near, camera.front, camera.up.
 camera :: CameraSettings -> Either Flaw Camera
 camera s = do
   front <- directed NowhereToLook (settingLookAt s - settingPosition s)
@@ -85,10 +87,14 @@ camera s = do
       | otherwise = maybe (Left flaw) Right (unit v)
 
 -- | The camera of a scene that has none: at the origin, looking along z, with y up.
+--
+-- Spec: check.empty, block.camera.
 defaultCamera :: Camera
 defaultCamera = Camera (CameraSettings 0 (V3 0 0 1) (V3 0 1 0) 60 1 100) alongZ alongY
 
 -- | How the scene language writes a camera.
+--
+-- Spec: block.camera.
 cameraSchema :: Schema CameraSettings Camera
 cameraSchema =
   Schema
@@ -117,10 +123,14 @@ data Viewport = Viewport
   deriving stock (Eq, Show)
 
 -- | No picture has more pixels than this: 16384 x 16384, a gigabyte of bytes.
+--
+-- Spec: code.too-many-pixels, limits.language.
 mostPixels :: Int
 mostPixels = 16384 * 16384
 
 -- | The viewport of that width and height, each from 1 to 2^31 - 1.
+--
+-- Spec: code.too-many-pixels.
 viewport :: Int -> Int -> Text -> Either Flaw Viewport
 viewport w h image
   | w < 1 || h < 1 = Left ZeroSize
@@ -128,10 +138,14 @@ viewport w h image
   | otherwise = Right (Viewport w h image)
 
 -- | The viewport of a scene that has none.
+--
+-- Spec: check.empty, block.viewport.
 defaultViewport :: Viewport
 defaultViewport = Viewport 500 500 "image"
 
 -- | How the scene language writes a viewport.
+--
+-- Spec: block.viewport.
 viewportSchema :: Schema (Int, Int, Text) Viewport
 viewportSchema =
   Schema

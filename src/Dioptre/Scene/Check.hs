@@ -60,6 +60,8 @@ import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tre
 -- | The scene that a tree describes, and all that is wrong with the file, in its order.
 --
 -- Law: checking what was written from a scene gives that scene.
+--
+-- Spec: grammar.scene, check.total, check.empty, canonical.back.
 checkScene :: Tree -> (Scene, [Diagnostic])
 checkScene tree = (scene, diagnostics)
   where
@@ -72,6 +74,8 @@ checkSceneFile tree = (scene, mentions, diagnostics)
     ((scene, mentions), diagnostics) = runCheck (foldM (item sceneWords object) nothingYet tree >>= finish)
 
 -- | The model that a tree describes, and all that is wrong with the file, in its order.
+--
+-- Spec: models.msr.
 checkModelFile :: Tree -> (ModelFile, [Diagnostic])
 checkModelFile tree = runCheck $ do
   stock <- foldM (item modelWords into) emptyStock tree
@@ -130,6 +134,8 @@ emptyStock :: Stock
 emptyStock = Stock Seq.empty Seq.empty Seq.empty
 
 -- | What a scene has in common with a model, with one more object; 'Nothing' for an object of another kind.
+--
+-- Spec: code.no-model-file, scene.order.
 stocked :: Block -> Stock -> Maybe (Check Stock)
 stocked block stock = case headKeyword (blockHead block) of
   Just Keyword.Primitive -> Just (among primitiveSchema (\p -> stock {primitives = primitives stock |> (block, p)}))
@@ -145,6 +151,7 @@ stocked block stock = case headKeyword (blockHead block) of
       Nothing -> report (headSpan (blockHead block)) NoModelFile
       Just v -> when (formRead fileName v == Right Nothing) (report (valueSpan v) NoModelFile)
 
+-- Spec: code.replaced-object, object.several-possible.
 object :: Draft -> Block -> Check Draft
 object draft block = case headKeyword (blockHead block) of
   Just Keyword.Camera -> alone cameraSchema camera (\c -> draft {camera = Just c})
@@ -166,6 +173,8 @@ object draft block = case headKeyword (blockHead block) of
           pure (put (block, made))
 
 -- | The pictures that a scene names, where it names them, and what for.
+--
+-- Spec: models.texture.none, files.pictures.
 pictureNames :: Tree -> [(Text, FileUse, Span)]
 pictureNames tree =
   [ (name, use, valueSpan value)
@@ -182,6 +191,8 @@ pictureNames tree =
       ]
 
 -- | The words that may open an object of a scene.
+--
+-- Spec: check.file-level.
 sceneWords :: [Keyword]
 sceneWords = filter ((== OpensInScene) . role) [minBound ..]
 
@@ -190,6 +201,8 @@ modelWords :: [Keyword]
 modelWords = [Keyword.Primitive, Keyword.Material, Keyword.TextureMaterial, Keyword.Model]
 
 -- | What can be said when everything has been read.
+--
+-- Spec: scene.order.
 finish :: Draft -> Check (Scene, [Mention])
 finish draft = do
   traverse_ (uncurry checkRaytracer) (raytracer draft)
@@ -214,6 +227,7 @@ furnished stock = do
   added <- checkMaterialNames named (toList (primitives stock))
   pure (map snd (toList (materials stock)) <> added)
 
+-- Spec: code.sampling-without-random, camera.sampling.fixed.
 checkRaytracer :: Block -> Raytracer -> Check ()
 checkRaytracer block r =
   when (raytracerSampling r > 1 && raytracerPixelCoordinate r /= Random) $
@@ -224,6 +238,8 @@ valueOrHead :: Keyword -> Block -> Span
 valueOrHead word block = fromMaybe (headSpan (blockHead block)) (placeOfValue word block)
 
 -- | Of materials of one name the first counts. The names that there are.
+--
+-- Spec: code.repeated-material, scene.material.repeated.
 checkMaterials :: [(Block, Material)] -> Check (Set.Set Text)
 checkMaterials = fmap Map.keysSet . foldM step Map.empty
   where
@@ -234,6 +250,8 @@ checkMaterials = fmap Map.keysSet . foldM step Map.empty
         place = valueOrHead Keyword.Name block
 
 -- | A material that is named and not there is replaced by a grey one, which is added to the scene; said once a name.
+--
+-- Spec: code.missing-material, code.no-material-name, scene.material.name, scene.material.substitute.
 checkMaterialNames :: Set.Set Text -> [(Block, Primitive)] -> Check [Material]
 checkMaterialNames names ps = concat <$> evalStateT (traverse step ps) names
   where

@@ -30,6 +30,8 @@ import Dioptre.Syntax.Print (printOutline)
 import Dioptre.Syntax.Tree (Block (..), Head (..), Tree)
 
 -- | Pairs of files to compare: blocks @texture_comparator@ of two lines @file@ each.
+--
+-- Spec: compare.list.
 checkComparisons :: Tree -> ([(Text, Text)], [Diagnostic])
 checkComparisons tree = runCheck (reverse <$> foldM (item words' pair) [] tree)
   where
@@ -39,6 +41,8 @@ checkComparisons tree = runCheck (reverse <$> foldM (item words' pair) [] tree)
     words' = [Keyword.TextureComparator]
 
 -- | The list as a file.
+--
+-- Spec: compare.list.
 writeComparisons :: [(Text, Text)] -> Text
 writeComparisons = printOutline . map (writeObject comparison)
 

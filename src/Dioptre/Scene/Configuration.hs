@@ -67,6 +67,8 @@ applicationNames :: [(Text, Application)]
 applicationNames = zip ["none", "info", "console", "frame", "comparator"] [minBound ..]
 
 -- | The name of the configuration's file.
+--
+-- Spec: config.file.
 configurationFile :: FilePath
 configurationFile = "configuration.cfg"
 
@@ -76,6 +78,8 @@ defaultSceneFile = "default_scene.txt"
 
 -- | The configuration that a tree describes, and all that is wrong with it. What is written never bears the name of what is read, or of
 -- the other thing that is written. There are no objects in it: a word that would open one is a line like the others, and so is what would stand in it.
+--
+-- Spec: code.name-taken, config.file, config.apart.
 checkConfiguration :: Tree -> (Configuration, [Diagnostic])
 checkConfiguration withObjects = runCheck $ do
   read' <- fromMaybe unsaid <$> readWholeFile schema "configuration" tree
@@ -111,6 +115,8 @@ unsaid :: Configuration
 unsaid = Configuration RunNothing "read_data_file_name.txt" "write_data_file_name.txt" "log.txt" True True 0 Nothing
 
 -- | The configuration that is written where there is none.
+--
+-- Spec: config.missing.
 startingConfiguration :: Text
 startingConfiguration =
   printOutline . writeProperties schema $
@@ -120,6 +126,7 @@ startingConfiguration =
 describeConfiguration :: [([Keyword], Expectation, [Text])]
 describeConfiguration = describe schema
 
+-- Spec: config.properties.
 schema :: Schema Configuration Configuration
 schema =
   Schema

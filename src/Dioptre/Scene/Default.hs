@@ -15,6 +15,8 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 
 -- | A sphere above a plane, in the scene language: what a configuration that names @default_scene.txt@ draws.
+--
+-- Spec: config.built-in.
 defaultScene :: Text
 defaultScene =
   Text.unlines

@@ -68,6 +68,8 @@ data Form v = Form
   }
 
 -- | A form of one token; what follows the token is ignored.
+--
+-- Spec: check.place, code.missing-value.
 scalar :: Expectation -> (Text -> Either Refusal v) -> (v -> Text) -> Form v
 scalar expectation reads' shows' = Form expectation (first reads') (Just . shows')
 
@@ -81,10 +83,14 @@ at :: Token -> (Text -> Either Refusal v) -> Either (Span, Refusal) v
 at token reads' = either (Left . (,) (tokenSpan token)) Right (reads' (tokenText token))
 
 -- | A real number between two others, ends included.
+--
+-- Spec: comment.behind, value.single, form.real.
 realWithin :: Double -> Double -> Form Double
 realWithin low high = realThat (Between (showReal low) (showReal high)) (\x -> low <= x && x <= high)
 
 -- | A real number not less than another.
+--
+-- Spec: form.real.
 realFrom :: Double -> Form Double
 realFrom low = realThat (AtLeast (showReal low)) (>= low)
 
@@ -93,28 +99,38 @@ realThatIsAny :: Form Double
 realThatIsAny = realThat AnyNumber (const True)
 
 -- | A real number greater than zero, which is to say at least 'smallestLength'.
+--
+-- Spec: form.real.
 positive :: Form Double
 positive = realFrom smallestLength
 
+-- Spec: code.out-of-range.
 realThat :: Range -> (Double -> Bool) -> Form Double
 realThat range fits = scalar (ARealNumber range) (\t -> real t >>= inside t) showReal
   where
     inside t x = if fits x then Right x else Left (OutOfRange t)
 
 -- | An integer from a smallest one up.
+--
+-- Spec: form.integer.
 count :: Int -> Form Int
 count low = integerThat (AtLeast (number low)) low (fromInteger largestInteger)
 
 -- | An integer between two others, ends included.
+--
+-- Spec: form.integer.
 integerWithin :: Int -> Int -> Form Int
 integerWithin low high = integerThat (Between (number low) (number high)) low high
 
+-- Spec: code.out-of-range.
 integerThat :: Range -> Int -> Int -> Form Int
 integerThat range low high = scalar (AnInteger range) (\t -> integer t >>= inside t) number
   where
     inside t n = if low <= n && n <= high then Right n else Left (OutOfRange t)
 
 -- | Whether a value of one real number goes on after it with a comma and a digit.
+--
+-- Spec: code.decimal-comma.
 decimalsBehindComma :: Expectation -> Value -> Maybe Text
 decimalsBehindComma expectation value = case (expectation, tokens value) of
   (ARealNumber _, token : _)
@@ -124,27 +140,36 @@ decimalsBehindComma expectation value = case (expectation, tokens value) of
   _ -> Nothing
 
 -- | Three real numbers.
+--
+-- Spec: comment.behind, form.vector, canonical.values.
 vectorForm :: Form Vector
 vectorForm = Form AVector vector3 (Just . vectorText)
 
 -- | Three real numbers that make a vector of at least 'smallestLength'.
+--
+-- Spec: code.zero-vector, form.direction.
 directionForm :: Form Vector
 directionForm = Form ADirection reads' (Just . vectorText)
   where
     reads' value = vector3 value >>= \v -> if modulus v < smallestLength then Left (valueSpan value, ZeroVector) else Right v
 
 -- | Three real numbers, none of them zero.
+--
+-- Spec: code.zero-component, form.direction.
 scaleForm :: Form Vector
 scaleForm = Form AVectorWithoutZero reads' (Just . vectorText)
   where
     reads' value = vector3 value >>= \v -> if 0 `elem` v then Left (valueSpan value, ZeroComponent) else Right v
 
+-- Spec: code.wrong-count.
 vector3 :: Value -> Either (Span, Refusal) Vector
 vector3 value = case tokens value of
   [x, y, z] -> V3 <$> at x real <*> at y real <*> at z real
   others -> Left (wrongCount value 3 others)
 
 -- | Two real numbers.
+--
+-- Spec: form.coordinates.
 textureForm :: Form (V2 Double)
 textureForm = Form TwoCoordinates reads' (Just . vectorText)
   where
@@ -153,6 +178,8 @@ textureForm = Form TwoCoordinates reads' (Just . vectorText)
       others -> Left (wrongCount value 2 others)
 
 -- | A name, a name and an alpha, three channels, or three channels and an alpha.
+--
+-- Spec: code.out-of-range, code.unknown-choice, form.colour, canonical.values.
 colourForm :: Form Colour
 colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just ("[ " <> Text.intercalate ", " (map showReal [r, g, b, a]) <> " ]"))
   where
@@ -166,6 +193,8 @@ colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just ("
     channel t = real t >>= \x -> if x >= 0 then Right x else Left (OutOfRange t)
 
 -- | Too few tokens are a fault of the whole value; too many, of those that are too many.
+--
+-- Spec: code.wrong-count.
 wrongCount :: Value -> Int -> [Token] -> (Span, Refusal)
 wrongCount value wanted found = case drop wanted found of
   [] | null found -> (valueSpan value, NothingThere)
@@ -185,6 +214,8 @@ commaInNumber t = or (zipWith both (Text.splitOn "," t) (drop 1 (Text.splitOn ",
     both before after = Text.any isDigit (Text.takeEnd 1 before) && Text.any isDigit (Text.take 1 after)
 
 -- | One of some words, in any case, or its number counted from 0; written as the word.
+--
+-- Spec: value.single, code.out-of-range, code.unknown-choice, form.choice.
 choice :: Eq v => [(Text, v)] -> Form v
 choice options = Form (AChoice (map fst options)) (first reads') wordFor
   where
@@ -198,6 +229,8 @@ choice options = Form (AChoice (map fst options)) (first reads') wordFor
         Left _ -> Left (NoSuchChoice t (suggest (map fst options) t))
 
 -- | Yes or no, in words or as a number (0 is no).
+--
+-- Spec: form.boolean.
 booleanForm :: Form Bool
 booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
   where
@@ -215,11 +248,15 @@ booleanForm = scalar ABoolean reads' (\b -> if b then "true" else "false")
     no = ["false", "faux", "no", "non", "off"]
 
 -- | The rest of the line, as it is.
+--
+-- Spec: value.text, form.text.
 text :: Form Text
 text = textThat SomeText (const Nothing)
 
 -- | The name of a file that the program reads. The word @none@, so spelt, stands for no file: what is read, checked and
 -- written knows it here only.
+--
+-- Spec: models.texture.none.
 fileName :: Form (Maybe Text)
 fileName = Form SomeText (fmap meant . formRead text) (Just . fromMaybe none)
   where
@@ -227,10 +264,14 @@ fileName = Form SomeText (fmap meant . formRead text) (Just . fromMaybe none)
     none = "none"
 
 -- | The name of a file that the program writes: no folder, no control character.
+--
+-- Spec: code.unsafe-name, form.text.
 outputName :: Form Text
 outputName = textThat AnOutputName unsafe
 
 -- | The same, with an ending that is to be there, in any case.
+--
+-- Spec: code.wrong-ending.
 outputNameEnding :: Text -> Form Text
 outputNameEnding ending = textThat (AnOutputNameEnding ending) $ \t ->
   case unsafe t of
@@ -242,6 +283,7 @@ unsafe t
   | Text.any (\c -> c == '/' || c == '\\' || isControl c) t = Just UnsafeName
   | otherwise = Nothing
 
+-- Spec: code.missing-value.
 textThat :: Expectation -> (Text -> Maybe Refusal) -> Form Text
 textThat expectation refuses = Form expectation reads' Just
   where
@@ -250,6 +292,8 @@ textThat expectation refuses = Form expectation reads' Just
       | otherwise = maybe (Right t) (Left . (,) place) (refuses t)
 
 -- | The same form, written with a unit after it (which reading ignores).
+--
+-- Spec: canonical.values.
 withUnit :: Text -> Form v -> Form v
 withUnit unitName form = form {formShow = fmap (<> " " <> unitName) . formShow form}
 

@@ -43,6 +43,8 @@ import Dioptre.Syntax.Tree (Block (..), Head (..))
 import Linear.V3 (V3 (..))
 
 -- | The light that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no light's.
+--
+-- Spec: block.lights.
 readLight :: Block -> Check (Maybe Light)
 readLight block = case headKeyword (blockHead block) of
   Just Keyword.AmbientLight -> through ambientSchema
@@ -72,6 +74,8 @@ writeLight source = case source of
     write schema = writeObject schema source
 
 -- | Every light's word with its properties: their words, what they expect, their defaults.
+--
+-- Spec: block.lights.
 describeLights :: [(Keyword, [([Keyword], Expectation, [Text])])]
 describeLights =
   [ of' ambientSchema,
@@ -121,6 +125,8 @@ open l = case l of
   PlanarAperture opening lamp wave aperture ->
     defaultDraft {draftLamp = lamp, draftWave = wave, draftAperture = aperture, draftMask = case opening of Mask m -> m; _ -> Nothing}
 
+-- Spec: code.zero-orientation, code.too-many-oscillators, block.ambient-light, block.directional-light,
+--   block.point-light, block.linear-aperture-light, block.aperture-mask-light.
 ambientSchema, directionalSchema, pointSchema, linearSchema, maskSchema :: Schema Draft Light
 ambientSchema = light Keyword.AmbientLight [colour] (Right . Ambient . draftColour)
 directionalSchema =
@@ -146,19 +152,23 @@ maskSchema =
   light Keyword.ApertureMaskLight (apertureProperties <> [one Keyword.Mask fileName draftMask (\m d -> d {draftMask = m})]) $ \d ->
     buildPlanar (Mask (draftMask d)) d
 
+-- Spec: block.planar-aperture-light.
 planarSchema :: Keyword -> Opening -> Schema Draft Light
 planarSchema word opening = light word apertureProperties (buildPlanar opening)
 
+-- Spec: code.no-attenuation.
 buildLamp :: Draft -> Either Flaw Lamp
 buildLamp d
   | attenuates (draftLamp d) = Right (draftLamp d)
   | otherwise = Left NoAttenuation
 
+-- Spec: code.invisible-wavelength.
 buildWave :: Draft -> Either Flaw Wave
 buildWave d
   | isVisible (draftWave d) = Right (draftWave d)
   | otherwise = Left (InvisibleWavelength shortestVisible longestVisible)
 
+-- Spec: code.up-along-front, code.too-many-oscillators.
 buildPlanar :: Opening -> Draft -> Either Flaw Light
 buildPlanar opening d = do
   lamp <- buildLamp d
@@ -183,6 +193,7 @@ lampPositionProperty = onLamp (one Keyword.Position vectorForm lampPosition (\v 
 onLamp :: Property Lamp -> Property Draft
 onLamp = within draftLamp (\l d -> d {draftLamp = l})
 
+-- Spec: block.point-light.
 lampProperties :: [Property Draft]
 lampProperties =
   map
@@ -196,6 +207,7 @@ lampProperties =
     attenuator word get put =
       one word (realFrom 0) (get . lampAttenuators) (\v l -> l {lampAttenuators = put v (lampAttenuators l)})
 
+-- Spec: block.linear-aperture-light.
 waveProperties :: [Property Draft]
 waveProperties =
   map
@@ -205,6 +217,7 @@ waveProperties =
       one Keyword.NbOscillator (count 0) waveOscillators (\v w -> w {waveOscillators = v})
     ]
 
+-- Spec: block.planar-aperture-light.
 apertureProperties :: [Property Draft]
 apertureProperties =
   (lampColourProperty : lampPositionProperty : lampProperties)

@@ -26,10 +26,14 @@ import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Print (Outline)
 
 -- | How the scene language writes a plain material.
+--
+-- Spec: block.material.
 materialSchema :: Schema Material Material
 materialSchema = Schema Keyword.Material standard properties Nothing Right id
 
 -- | How it writes one with pictures.
+--
+-- Spec: block.texture-material.
 textureMaterialSchema :: Schema Material Material
 textureMaterialSchema = Schema Keyword.TextureMaterial standard {materialTextures = Just noTextures} (properties <> textures) Nothing Right id
   where
@@ -52,6 +56,7 @@ writeMaterial m = case materialTextures m of
 byName :: [(Material, a)] -> Map Text a
 byName materials = Map.fromListWith (\_ first -> first) [(materialName m, a) | (m, a) <- materials]
 
+-- Spec: optics.refract.index.
 properties :: [Property Material]
 properties =
   [ one Keyword.Name text materialName (\v m -> m {materialName = v}),

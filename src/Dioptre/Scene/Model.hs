@@ -47,6 +47,8 @@ data Draft = Draft
   }
 
 -- | How the scene language writes a model.
+--
+-- Spec: block.model, models.block.
 modelSchema :: Schema Draft Model
 modelSchema =
   Schema

@@ -30,6 +30,8 @@ data Primitive = Primitive
   deriving stock (Eq, Show)
 
 -- | How the scene language writes a primitive.
+--
+-- Spec: code.no-shape, block.primitive.
 primitiveSchema :: Schema (Text, Maybe Shape) Primitive
 primitiveSchema =
   Schema

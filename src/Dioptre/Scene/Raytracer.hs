@@ -82,14 +82,20 @@ data ColourNormalization
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | The ray tracer of a scene that has none.
+--
+-- Spec: check.empty, block.raytracer.
 defaultRaytracer :: Raytracer
 defaultRaytracer = Raytracer 1 1 1 Blinn TopLeft LinearSpace ClampChannel 0
 
 -- | For one primary ray no more rays than this are followed, shadow rays not counted.
+--
+-- Spec: optics.budget, limits.language.
 mostRays :: Int
 mostRays = 65536
 
 -- | How the scene language writes a ray tracer.
+--
+-- Spec: block.raytracer.
 raytracerSchema :: Schema Raytracer Raytracer
 raytracerSchema =
   Schema

@@ -42,6 +42,8 @@ report :: Span -> Problem -> Check ()
 report place problem = tell (Seq.singleton (Diagnostic place problem))
 
 -- | What was found, and everything there was to say, in the order of the file.
+--
+-- Spec: check.order.
 runCheck :: Check a -> (a, [Diagnostic])
 runCheck check = snd . mapAccumL sparingly 0 . sortOn diagnosticSpan . toList <$> runWriter check
 
@@ -55,11 +57,15 @@ sparingly n (Diagnostic place problem) = case problem of
 
 -- | Says that a block has no place in an object (none: at the level of the file), where those words may stand. It is
 -- passed over, with all that is in it.
+--
+-- Spec: code.unknown-word, code.misplaced-word, check.passed-over.
 passOver :: Maybe Text -> [Keyword] -> Block -> Check ()
 passOver object words' block =
   report (headSpan (blockHead block)) (misfit object words' (blockHead block) "" (TheObject (lastLine block)))
 
 -- | The last line that belongs to a block.
+--
+-- Spec: check.passed-over.
 lastLine :: Block -> Int
 lastLine block = case blockClosing block of
   ByEnd place -> spanLine place
@@ -74,6 +80,8 @@ lastLine block = case blockClosing block of
       OpenComment place -> spanLine place
 
 -- | What is wrong with a word that is none of those that may stand there, and has this behind it.
+--
+-- Spec: code.unknown-word, code.misplaced-word.
 misfit :: Maybe Text -> [Keyword] -> Head -> Text -> PassedOver -> Problem
 misfit object words' word following passed = case headKeyword word of
   Just _ -> MisplacedWord (headText word) object (map spelling words') passed
@@ -82,6 +90,8 @@ misfit object words' word following passed = case headKeyword word of
     guess = suggestWord (concatMap (toList . spellings) words') (headText word) following
 
 -- | One thing at the level of the file, where these words may stand.
+--
+-- Spec: code.stray-end, code.unclosed-comment, check.file-level.
 item :: [Keyword] -> (a -> Block -> Check a) -> a -> Node -> Check a
 item words' into draft = \case
   Object block -> into draft block

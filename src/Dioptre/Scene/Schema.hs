@@ -102,6 +102,8 @@ one :: Keyword -> Form v -> (a -> v) -> (v -> a -> a) -> Property a
 one word form get put = Property (word :| []) form (Slot get (\v a -> Right (put v a)) :| [])
 
 -- | A property that fills one place after the other, under any of its words.
+--
+-- Spec: object.several.
 several :: NonEmpty Keyword -> Form v -> NonEmpty (Slot a v) -> Property a
 several = Property
 
@@ -121,6 +123,8 @@ data Progress a = Progress
   }
 
 -- | The object that a block of the tree describes; 'Nothing' if its values make none, which has been reported.
+--
+-- Spec: code.no-shape, code.behind-opening, object.defaults, object.impossible.
 readObject :: Schema a b -> Block -> Check (Maybe b)
 readObject schema block = do
   reportRest schema block
@@ -143,6 +147,7 @@ readWholeFile :: Schema a b -> Text -> [Node] -> Check (Maybe b)
 readWholeFile schema name nodes =
   readObject schema (Block (Head wholeFile name Nothing) (Value wholeFile "") nodes (ByEnd wholeFile))
 
+-- Spec: code.unclosed-comment, code.second-shape, object.shape.
 readNode :: Schema a b -> Text -> Progress a -> Node -> Check (Progress a)
 readNode schema object progress node = case node of
   Statement p -> case headKeyword (Tree.propertyHead p) >>= propertyOf schema of
@@ -168,6 +173,8 @@ propertyOf :: Schema a b -> Keyword -> Maybe (Int, Property a)
 propertyOf schema word = find (\(_, Property words' _ _) -> word `elem` words') (zip [0 ..] (schemaProperties schema))
 
 -- | Fills the place that the k-th occurrence of a property goes to.
+--
+-- Spec: check.place, code.missing-value, code.repeated-property, object.defaults, object.several.
 fill :: Property a -> Int -> a -> Tree.Property -> Check a
 fill (Property _ form slots) k before p = case slotFor of
   Nothing -> before <$ report (headSpan word) (RepeatedProperty (headText word) (NonEmpty.length slots))
@@ -198,6 +205,8 @@ reportRest schema block = case tokens (blockRest block) of
     isProperty t = isJust (fromSpelling t >>= propertyOf schema)
 
 -- | Reports what is odd about the end of a block.
+--
+-- Spec: code.misspelt-end, code.missing-end.
 reportClosing :: Block -> Check ()
 reportClosing block = case blockClosing block of
   ByEnd _ -> pure ()
@@ -218,12 +227,16 @@ placeOfValue word block =
     ]
 
 -- | The object in the scene language, every property written out.
+--
+-- Spec: canonical.layout.
 writeObject :: Schema a b -> b -> Outline
 writeObject schema object = Group (schemaKeyword schema) (writeProperties schema object <> shape)
   where
     shape = [shapeWrite place s | Just place <- [schemaShape schema], Just s <- [shapeGet place (schemaOpen schema object)]]
 
 -- | The properties alone. What has no value is left out.
+--
+-- Spec: canonical.words.
 writeProperties :: Schema a b -> b -> [Outline]
 writeProperties schema object = concatMap property (schemaProperties schema)
   where

@@ -97,6 +97,8 @@ schemaOf = \case
   ATransformed _ _ -> transformedSchema
 
 -- | The shape that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no shape's.
+--
+-- Spec: tree.depth, shape.defaults, shape.words.
 readShape :: Block -> Check (Maybe Shape)
 readShape block = case [schema | schema <- schemas, Just (schemaKeyword schema) == headKeyword (blockHead block)] of
   schema : _ -> readObject schema block
@@ -107,6 +109,8 @@ writeShape :: Shape -> Outline
 writeShape s = writeObject (schemaOf s) s
 
 -- | Every shape's word with its properties: their words, what they expect, their defaults.
+--
+-- Spec: shape.defaults.
 describeShapes :: [(Keyword, [([Keyword], Expectation, [Text])])]
 describeShapes = [(schemaKeyword schema, describe schema) | schema <- schemas]
 
@@ -212,6 +216,8 @@ size :: Keyword -> Property Draft
 size word = one word positive draftSize (\v d -> d {draftSize = v})
 
 -- | The two ends of an axis, under either word; the second is refused when it is the first again.
+--
+-- Spec: code.same-point.
 axisEnds :: Property Draft
 axisEnds =
   several (Keyword.Position :| [Keyword.Point]) vectorForm $
@@ -242,12 +248,14 @@ eachCorner word form =
 -------------------------------------------------------------------------------
 -- Flat shapes
 
+-- Spec: code.zero-normal.
 buildPlane :: Draft -> Either Flaw Plane
 buildPlane d = plane (draftPosition d) (draftNormal d) `orElse` ZeroNormal smallestLength
 
 buildDisk :: Draft -> Either Flaw Disk
 buildDisk d = buildPlane d >>= \p -> disk p (draftSize d) `orElse` ZeroSize
 
+-- Spec: shape.btriangle.normals.
 planeSchema, diskSchema, annulusSchema, triangleSchema, smoothTriangleSchema :: Schema Draft Shape
 planeSchema = shape Keyword.Plane [position, normal] (fmap APlane . buildPlane)
 diskSchema = shape Keyword.Disk [position, normal, size Keyword.Ray] (fmap ADisk . buildDisk)
@@ -266,6 +274,7 @@ smoothTriangleSchema = shape Keyword.SmoothTriangle [points, normals, uvs] $ \d 
 buildRound :: Draft -> Either Flaw Round
 buildRound d = (axis (draftPosition d) (draftEnd d) >>= \x -> roundShape x (draftSize d)) `orElse` EqualPoints
 
+-- Spec: code.curvature-below-radius.
 sphereSchema, cubeSchema, tubeSchema, cylinderSchema, coneSchema, lensSchema, capSchema, torusSchema :: Schema Draft Shape
 sphereSchema = shape Keyword.Sphere [position, size Keyword.Ray] $ \d ->
   ASphere <$> sphere (draftPosition d) (draftSize d) `orElse` ZeroSize
@@ -290,6 +299,7 @@ torusSchema = shape Keyword.Torus [position, normal, size Keyword.MajorRadius, m
 -------------------------------------------------------------------------------
 -- Transformed shapes
 
+-- Spec: shape.geometry.nested, geometry.transformed.nested.
 transformedSchema :: Schema Draft Shape
 transformedSchema =
   Schema

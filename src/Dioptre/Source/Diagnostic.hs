@@ -345,6 +345,8 @@ data PictureFault
   deriving stock (Eq, Show)
 
 -- | How much a problem matters.
+--
+-- Spec: check.severity.
 severity :: Problem -> Severity
 severity = \case
   UnknownWord {} -> Error

@@ -24,6 +24,8 @@ import Numeric (floatToDigits)
 -- [([2,5],0),([1],24)]
 --
 -- See Note [Middles].
+--
+-- Spec: numbers.writing.
 shortestDigits :: Double -> ([Int], Int)
 shortestDigits x
   | x >= 2 ^ (53 :: Int) && x < 10 ^ (40 :: Int), digits : _ <- map digitsOf (filter readsBack [below, below + 1]) = digits

@@ -34,6 +34,8 @@ languageNames = [("en", English), ("fr", French), ("english", English), ("french
 --
 -- >>> fromLocale (`lookup` [("LANG", "fr_CA.UTF-8")])
 -- French
+--
+-- Spec: cli.language.
 fromLocale :: (String -> Maybe String) -> Language
 fromLocale look = case find (not . null) (mapMaybe look ["LC_ALL", "LC_MESSAGES", "LANG"]) of
   Just locale | isFrench (Text.toLower (Text.pack locale)) -> French

@@ -34,6 +34,8 @@ severityName l = \case
   Error -> inLanguage l "error" "erreur"
 
 -- | What is wrong.
+--
+-- Spec: check.texts.
 message :: Language -> Problem -> Text
 message l = \case
   UnknownWord w _ guess _ ->
@@ -316,6 +318,8 @@ pictureFault l = \case
     say = inLanguage l
 
 -- | What was expected, where that can be said.
+--
+-- Spec: check.texts.
 expected :: Language -> Problem -> Maybe Text
 expected l = \case
   UnknownWord _ admissible _ _ -> Just (oneOf l admissible)
@@ -393,6 +397,8 @@ flawExpected l = \case
     say en fr = Just (inLanguage l en fr)
 
 -- | What is used instead, where something is.
+--
+-- Spec: check.texts.
 used :: Language -> Problem -> Maybe Text
 used l = \case
   UnknownWord _ _ _ passed -> Just (passedOver passed)

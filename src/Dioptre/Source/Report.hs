@@ -42,6 +42,8 @@ import Prettyprinter.Render.Terminal (AnsiStyle, Color (..), bold, color)
 type Style = AnsiStyle
 
 -- | A diagnostic for a person to read, in full.
+--
+-- Spec: cli.streams.
 pretty :: Language -> Source -> Diagnostic -> Doc Style
 pretty l source (Diagnostic place problem) =
   Doc.vsep $
@@ -77,6 +79,8 @@ excerpt source place shade =
     printable c = if isControl c && c /= '\t' then '·' else c
 
 -- | A diagnostic for a program to read. Lines and columns count from 1, columns in code points; the end is exclusive. What is not there is left out.
+--
+-- Spec: cli.check.json.
 toJson :: Language -> FilePath -> Diagnostic -> Value
 toJson l file (Diagnostic place problem) =
   object $

@@ -18,6 +18,8 @@ where
 
 -- | A stretch of one line. Lines and columns count from 1, columns in code points (a tab is one); the end is exclusive.
 -- Law: 1 <= column <= end.
+--
+-- Spec: text.place, check.place.
 data Span = Span
   { spanLine :: !Int,
     spanColumn :: !Int,
@@ -29,6 +31,8 @@ data Span = Span
 --
 -- >>> width (Span 3 17 20)
 -- 3
+--
+-- Spec: text.place.
 width :: Span -> Int
 width s = spanEndColumn s - spanColumn s
 

@@ -53,6 +53,8 @@ data Lines = Whole (Vector Text) | Some (IntMap Text)
 -- "lumi\232re\nend\n"
 -- >>> sourceText (decode "scene.txt" "lumi\xE8re")
 -- "lumi\232re"
+--
+-- Spec: text.encoding, text.mark, text.line-end.
 decode :: FilePath -> ByteString -> Source
 decode name bytes = fromText name (characters (dropMark bytes))
   where
@@ -67,6 +69,8 @@ characters :: ByteString -> Text
 characters bytes = fromRight (Text.decodeLatin1 bytes) (Text.decodeUtf8' bytes)
 
 -- | A source of text that is at hand already.
+--
+-- Spec: protocol.text, text.line-end.
 fromText :: FilePath -> Text -> Source
 fromText name raw = Source name text (Whole (Vector.fromList (Text.split (== '\n') text)))
   where
@@ -79,6 +83,8 @@ excerpts name lines' = Source name (Text.intercalate "\n" (IntMap.elems known)) 
     known = IntMap.fromList lines'
 
 -- | The line of that number, counted from 1; empty where there is none.
+--
+-- Spec: text.line-end.
 lineAt :: Source -> Int -> Text
 lineAt source n = fromMaybe Text.empty $ case sourceLines source of
   Whole all' -> all' !? (n - 1)

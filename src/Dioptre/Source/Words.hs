@@ -52,6 +52,8 @@ wordsOf separates line = go 1
         end = start + Text.length word
 
 -- | Whether a character separates words in a scene: blank = space \/ tab \/ form feed.
+--
+-- Spec: text.blank.
 isBlank :: Char -> Bool
 isBlank c = c == ' ' || c == '\t' || c == '\f'
 

@@ -46,6 +46,8 @@ type Parser = Parsec Void Text
 type Lines = Parsec Void [Line]
 
 -- | The tree of a text. Total; linear in its length.
+--
+-- Spec: tree.file, grammar.scene, grammar.text, limits.must-work.
 parse :: Source -> Tree
 parse source = fromRight [] (runParser file "" (fromRight [] (snd (runParser' speakingLines start))))
   where
@@ -74,22 +76,30 @@ data Line
   deriving stock (Eq, Ord)
 
 -- | file = *item
+--
+-- Spec: tree.file.
 file :: Lines [Node]
 file = many (openComment <|> LooseEnd <$> endLine <|> Object <$> block <|> Statement <$> property)
 
 -- | block = opening *item closing
+--
+-- Spec: tree.depth.
 block :: Lines Block
 block = uncurry Block <$> opening <*> many item <*> closing
   where
     item = openComment <|> notFollowedBy (sceneWord <|> endLine) *> (Object <$> block <|> Statement <$> property)
 
 -- | closing = end-line \/ a scene word ahead \/ end of file
+--
+-- Spec: tree.end, tree.scene-word, tree.end-of-file.
 closing :: Lines Closing
 closing = byEnd <$> endLine <|> BySceneWord <$> lookAhead sceneWord <|> pure ByEndOfFile
   where
     byEnd word = maybe (ByMisspeltEnd word) (const (ByEnd (headSpan word))) (headKeyword word)
 
 -- | opening = a line whose word opens an object (what follows the word says nothing), or an unknown word alone on its line
+--
+-- Spec: tree.opening.
 opening :: Lines (Head, Value)
 opening = says $ \word value -> case role <$> headKeyword word of
   Just OpensInScene -> True
@@ -98,10 +108,14 @@ opening = says $ \word value -> case role <$> headKeyword word of
   Nothing -> Text.null (valueText value)
 
 -- | sceneWord = a line whose word opens an object of the scene
+--
+-- Spec: tree.scene-word.
 sceneWord :: Lines Head
 sceneWord = line $ \word _ -> (role <$> headKeyword word) == Just OpensInScene
 
 -- | endLine = a line whose word is @end@ or, alone on its line, one slip away from it
+--
+-- Spec: tree.end, tree.slip.words.
 endLine :: Lines Head
 endLine = line $ \word value -> case role <$> headKeyword word of
   Just Closes -> True
@@ -109,10 +123,14 @@ endLine = line $ \word value -> case role <$> headKeyword word of
   Nothing -> Text.null (valueText value) && any (isSlipOf (Text.toLower (headText word))) ["end", "fin"]
 
 -- | property = any other line
+--
+-- Spec: tree.property.
 property :: Lines Property
 property = uncurry Property <$> says (const (const True))
 
 -- | A comment that is never closed stays in the tree.
+--
+-- Spec: comment.unclosed.
 openComment :: Lines Node
 openComment = token (\case NeverClosed place -> Just (OpenComment place); Says _ _ -> Nothing) mempty
 
@@ -133,6 +151,8 @@ speakingLines :: Parser [Line]
 speakingLines = catMaybes <$> many (Nothing <$ emptyLine <|> comment <|> Just <$> wordAndValue)
 
 -- | A line's first word, and its value: the rest, from the first character that is not blank.
+--
+-- Spec: line.word, comment.behind.
 wordAndValue :: Parser Line
 wordAndValue = do
   blanks
@@ -148,6 +168,8 @@ comment = blockComment <|> Nothing <$ lineComment
 
 -- | A block opens where the first word is exactly @\/*@, and closes at a line whose first word is exactly @*\/@; a @*\/@ on the
 -- opening line makes it a comment of that line only.
+--
+-- Spec: comment.block, comment.one-line, comment.unclosed.
 blockComment :: Parser (Maybe Line)
 blockComment = do
   place <- mark "/*"
@@ -165,10 +187,14 @@ blockComment = do
       pure place
 
 -- | line-comment = a line whose first word begins with one of @# \/ * - ! \@@
+--
+-- Spec: comment.line.
 lineComment :: Parser ()
 lineComment = try (blanks *> oneOf ("#/*-!@" :: String)) *> restOfLine *> endOfLine
 
 -- | A line of blanks only.
+--
+-- Spec: line.empty.
 emptyLine :: Parser ()
 emptyLine = void (char '\n') <|> try (takeWhile1P Nothing isBlank *> endOfLine)
 

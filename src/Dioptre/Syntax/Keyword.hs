@@ -142,6 +142,8 @@ data Keyword
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The spelling that the program writes.
+--
+-- Spec: canonical.words.
 spelling :: Keyword -> Text
 spelling = NonEmpty.head . spellings
 
@@ -149,6 +151,8 @@ spelling = NonEmpty.head . spellings
 --
 -- >>> spellings Ray
 -- "ray" :| ["rayon"]
+--
+-- Spec: word.roles, shape.words.
 spellings :: Keyword -> NonEmpty Text
 spellings = \case
   End -> "end" :| ["fin"]
@@ -257,6 +261,8 @@ spellings = \case
 --
 -- >>> fromSpelling "RAYON"
 -- Just Ray
+--
+-- Spec: line.case.
 fromSpelling :: Text -> Maybe Keyword
 fromSpelling text = Map.lookup (Text.toLower text) dictionary
 
@@ -280,6 +286,8 @@ data Role
   deriving stock (Eq, Show)
 
 -- | The role of a word.
+--
+-- Spec: word.roles.
 role :: Keyword -> Role
 role k
   | k == End = Closes

@@ -28,6 +28,8 @@ data Outline
   deriving stock (Eq, Show)
 
 -- | The text, ending in a line feed. Linear in its length.
+--
+-- Spec: canonical.layout.
 printOutline :: [Outline] -> Text
 printOutline items = Text.unlines (foldr (outline 0) [] items)
 

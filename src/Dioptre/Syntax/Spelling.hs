@@ -30,6 +30,8 @@ import Text.EditDistance (defaultEditCosts, restrictedDamerauLevenshteinDistance
 -- True
 -- >>> "ned" `isSlipOf` "den"
 -- False
+--
+-- Spec: tree.slip.
 isSlipOf :: Text -> Text -> Bool
 isSlipOf a b = abs (Text.length a - Text.length b) <= 1 && apart a b == 1
 
@@ -44,6 +46,8 @@ isSlipOf a b = abs (Text.length a - Text.length b) <= 1 && apart a b == 1
 -- Nothing
 -- >>> suggest ["n", "p"] "}"
 -- Nothing
+--
+-- Spec: check.texts.
 suggest :: [Text] -> Text -> Maybe Text
 suggest candidates word
   | Text.length word > 60 = Nothing

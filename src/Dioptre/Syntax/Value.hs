@@ -45,6 +45,8 @@ import Text.Megaparsec.Char (char)
 type Parser = Parsec Void Text
 
 -- | tokens = *separator *(token 1*separator). Total, linear.
+--
+-- Spec: text.blank, value.tokens.
 tokens :: Value -> [Token]
 tokens (Value (Span line column _) text) =
   either (const []) (\(before, pieces) -> located (column + Text.length before) pieces) (runParser (tokensRule <* eof) "" text)
@@ -64,10 +66,14 @@ isSeparator :: Char -> Bool
 isSeparator c = isBlank c || c `elem` (",()[]<>" :: String)
 
 -- | No number of a scene is larger than this.
+--
+-- Spec: value.real.largest, limits.language.
 largestReal :: Double
 largestReal = 1e100
 
 -- | Integers have 32 bits, as in the original: from -2147483648 to this.
+--
+-- Spec: numbers.integers, value.integer, limits.language.
 largestInteger :: Integer
 largestInteger = 2147483647
 
@@ -79,6 +85,8 @@ largestInteger = 2147483647
 -- Left (TooLarge "1e400")
 -- >>> real "NaN"
 -- Left (NotANumber "NaN")
+--
+-- Spec: numbers.reading, value.real, value.real.largest, code.not-a-number, code.number-too-large.
 real :: Text -> Either Refusal Double
 real token = case runParser (realRule <* eof) "" token of
   Left _ -> Left (NotANumber token)
@@ -103,6 +111,8 @@ realRule = do
       pure (if negative then negate e else e)
 
 -- | integer = [sign] 1*digit
+--
+-- Spec: numbers.integers, value.integer, code.not-an-integer, code.number-too-large.
 integer :: Text -> Either Refusal Int
 integer token = case runParser ((,) <$> sign <*> digits <* eof) "" token of
   Left _ -> Left (NotAnInteger token)

@@ -48,6 +48,8 @@ notACorner :: Parts
 notACorner = -1
 
 -- | The corner at a place of a line that is not blank.
+--
+-- Spec: models.obj.faces.
 cornerAt :: ByteString -> Int -> Corner
 cornerAt bytes from
   | end0 > from && (end2 >= n || isBlank (byteAt bytes end2)) = Corner end2 v t k ((if end1 > end0 + 1 then 1 else 0) + (if end2 > end1 + 1 then 2 else 0))
@@ -77,6 +79,8 @@ indexAt bytes from = digits start 0
       | otherwise = Index i (if isNegative then negate m else m)
 
 -- | Where the thing of that number is, counted from 0, where there are so many of them: 1 is the first one, and -1 the last.
+--
+-- Spec: models.obj.indices.
 place :: Int -> Int -> Int
 place count i
   | i > 0 = i - 1
@@ -85,6 +89,8 @@ place count i
 {-# INLINE place #-}
 
 -- | Whether a place is among so many things.
+--
+-- Spec: models.obj.indices.
 isThere :: Int -> Int -> Bool
 isThere i count = i >= 0 && i < count
 {-# INLINE isThere #-}

@@ -81,6 +81,8 @@ newFaces :: ST s (Faces s)
 newFaces = Faces <$> newTriangles <*> newGrowing <*> newCounter 0 <*> newCounter 0 <*> newCounter 0 <*> newCounter 0 <*> newTally <*> newTally
 
 -- | Reads an @f@ at this place.
+--
+-- Spec: models.obj.faces.
 face :: Faults s -> Vertices s -> Materials s -> Faces s -> Line -> Int -> ST s ()
 face faults vertices materials fs line@(Line bytes _ _) start = do
   clear (facesCurrent fs)

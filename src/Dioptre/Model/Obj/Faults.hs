@@ -66,6 +66,8 @@ newFaults :: ST s (Faults s)
 newFaults = Faults <$> newCounter 0 <*> newSTRef [] <*> newSTRef Nothing <*> newSTRef Map.empty
 
 -- | Tells of a fault between two places of a line.
+--
+-- Spec: models.obj.faults.
 report :: Faults s -> Line -> Int -> Int -> Problem -> ST s ()
 report faults line from to problem = do
   earlier <- current (faultsCount faults)
@@ -86,6 +88,8 @@ told faults atOnce = do
   pure (sortOn diagnosticSpan (reverse single <> atOnce <> [Diagnostic here (MoreFaults (count - keptInFull)) | here <- maybeToList firstMore]))
 
 -- | The lines that places point to, by their numbers. Of long ones, the beginning.
+--
+-- Spec: models.obj.faults, limits.files.
 shownLines :: Faults s -> ST s [(Int, Text)]
 shownLines faults = Map.toAscList <$> readSTRef (faultsLines faults)
 

@@ -67,6 +67,8 @@ data Pending
     Overlong !Int
 
 -- | No line has more bytes: 2^25, which is a face of some two million corners. Longer ones are passed over, so that a file that is one endless line is not kept.
+--
+-- Spec: limits.files.
 longestLine :: Int
 longestLine = 33554432
 
@@ -79,6 +81,8 @@ newLines :: ST s (Lines s)
 newLines = Lines <$> newSTRef NoLine <*> newCounter 1 <*> newCounter 0
 
 -- | Goes through a piece, with what is to be done with each line that ends in it, and with the number of each that is too long. Law: how a file is cut into pieces changes nothing.
+--
+-- Spec: models.obj.lines.
 feedLines :: (Line -> ST s ()) -> (Int -> ST s ()) -> Lines s -> ByteString -> ST s ()
 feedLines each overlong ls piece
   | Bytes.null piece = pure ()

@@ -61,6 +61,8 @@ defaultMaterial :: Text
 defaultMaterial = "default"
 
 -- | No model has more material libraries.
+--
+-- Spec: limits.files.
 mostLibraries :: Int
 mostLibraries = 100
 
@@ -117,6 +119,8 @@ materialNumber faults ms line start = do
       pure k
 
 -- | Reads a @usemtl@, whose name begins at the second place.
+--
+-- Spec: models.obj.materials.
 useMaterial :: Faults s -> Materials s -> Line -> Int -> Int -> ST s ()
 useMaterial faults ms line@(Line bytes _ _) start from
   | Bytes.null name = do
@@ -130,6 +134,8 @@ useMaterial faults ms line@(Line bytes _ _) start from
     fresh = let (here, text) = located line from (from + Bytes.length name) in Fresh (Bytes.copy name) (Named here (characters name)) text
 
 -- | Reads an @mtllib@, whose names begin at the second place. One name has blanks, several end in @.mtl@ each.
+--
+-- Spec: models.obj.materials.
 materialLibrary :: Faults s -> Materials s -> Line -> Int -> Int -> ST s ()
 materialLibrary faults ms line@(Line bytes _ _) start from
   | Bytes.null rest = report faults line start (wordFrom bytes start) (RefusedValue "mtllib" NothingThere SomeText (Kept "none"))

@@ -55,11 +55,15 @@ newTriangles :: ST s (Triangles s)
 newTriangles = Triangles <$> newGrowing <*> newGrowing <*> newGrowing <*> newGrowing <*> newTally
 
 -- | Triangles that are left out, as their corners lie on one line.
+--
+-- Spec: models.obj.polygons.
 collinear :: Triangles s -> Tally s
 collinear = trianglesCollinear
 
 -- | Adds the triangles of a polygon: of three corners or more, each with the numbers of its vertex, texture coordinate and normal, from 0, of which the last two
 -- count if they are among the parts; of that material; in that line from that place on.
+--
+-- Spec: models.obj.polygons.
 fan :: Faults s -> Vertices s -> Triangles s -> Growing s Int32 -> Parts -> Int -> Line -> Int -> ST s ()
 fan faults vertices ts polygon parts material line@(Line bytes _ _) start = do
   count <- (`quot` 3) <$> size polygon
@@ -103,6 +107,8 @@ isTriangle packed0 packed1 packed2 = quadrance (cross e1 e2) > clearly * (quadra
 {-# INLINE isTriangle #-}
 
 -- | The triangles with their vertices. Neither is here any longer.
+--
+-- Spec: models.obj.smooth.
 meshOf :: Vertices s -> Triangles s -> ST s Mesh
 meshOf vertices ts = do
   corners <- size (trianglesCorners ts)

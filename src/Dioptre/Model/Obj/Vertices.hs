@@ -67,6 +67,8 @@ newVertices :: ST s (Vertices s)
 newVertices = Vertices <$> newGrowing <*> newGrowing <*> newGrowing <*> newCounter 0 <*> newCounter 0
 
 -- | Reads a @v@ at this place.
+--
+-- Spec: models.obj.vertices, models.obj.bad-vertex.
 vertex :: Faults s -> Vertices s -> Line -> Int -> ST s ()
 vertex faults vs line@(Line bytes _ _) start
   -- Singles as doubles add up without overflow, so the sum of some of them is finite only if all are.
@@ -79,6 +81,8 @@ vertex faults vs line@(Line bytes _ _) start
     Triple x y z = triple bytes (start + 1)
 
 -- | Reads a @vn@ at this place.
+--
+-- Spec: models.obj.vertices.
 normal :: Faults s -> Vertices s -> Line -> Int -> ST s ()
 normal faults vs line@(Line bytes _ _) start
   | finite (x + y + z) = do
@@ -92,6 +96,8 @@ normal faults vs line@(Line bytes _ _) start
     Triple x y z = triple bytes (start + 2)
 
 -- | Reads a @vt@ at this place.
+--
+-- Spec: models.obj.vertices.
 textureCoordinate :: Faults s -> Vertices s -> Line -> Int -> ST s ()
 textureCoordinate faults vs line@(Line bytes _ _) start
   | finite (u + v) = push2 (verticesUvs vs) (double2Float u) (double2Float v)
@@ -162,6 +168,8 @@ pointAt vs i = do
 {-# INLINE pointAt #-}
 
 -- | Whether a vertex could not be read.
+--
+-- Spec: models.obj.bad-vertex.
 isBadPoint :: Vertices s -> Int -> ST s Bool
 isBadPoint vs i = do
   count <- current (verticesBadPoints vs)
@@ -169,6 +177,8 @@ isBadPoint vs i = do
 {-# INLINE isBadPoint #-}
 
 -- | Whether a normal is zero.
+--
+-- Spec: models.obj.bad-vertex.
 isZeroNormal :: Vertices s -> Int -> ST s Bool
 isZeroNormal vs i = do
   count <- current (verticesZeroNormals vs)
