@@ -2,8 +2,10 @@
 -- Module      : Usage
 -- Description : What is wrong with some arguments, in words
 --
--- The option parser knows that arguments are wrong, and often says so of the wrong one, in English, without a proposal: of @chek a.txt@ that @a.txt@ is invalid, and of an option that is given
--- twice the same. Its first line tells which argument it stopped at; here that is read together with the arguments, and said anew. What is not known here stays as it is.
+-- The option parser knows that arguments are wrong, and often says so of the wrong one, in English, without a proposal:
+-- of @chek a.txt@ that @a.txt@ is invalid, and of an option that is given twice the same. Its first line tells which
+-- argument it stopped at; here that is read together with the arguments, and said anew. What is not known here stays as
+-- it is.
 module Usage
   ( Known (..),
     optionsOf,
@@ -40,7 +42,8 @@ names reader = case reader of
     spelt (OptShort c) = ['-', c]
     spelt (OptLong word) = "--" <> word
 
--- | What the option parser prints, in a language; given the arguments, of which it is the help or what is wrong with them.
+-- | What the option parser prints, in a language; given the arguments, of which it is the help or what is wrong with
+-- them.
 inWords :: Language -> Known -> [String] -> String -> String
 inWords l known arguments text = case lines text of
   first : rest | Just ours <- complaint l known arguments first -> unlines (ours : "" : map (titled l) (dropWhile (not . isPrefixOf "Usage:") rest))

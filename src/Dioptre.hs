@@ -8,8 +8,8 @@
 -- 'draw' = 'rendered' . 'plan' mempty 'noModels' . fst . 'checkScene' . 'parse'
 -- @
 --
--- Each name is the door of a folder. The folders are stages, and here they stand in the order in which they import each other, always an
--- earlier one; reading them in this order is a course in ray tracing.
+-- Each name is the door of a folder. The folders are stages, and here they stand in the order in which they import each
+-- other, always an earlier one; reading them in this order is a course in ray tracing.
 --
 -- [Source] Bytes become text with lines and columns ("Dioptre.Source.Text"). What can be wrong with a text is data
 -- ("Dioptre.Source.Diagnostic"); its words stand apart, in two languages ("Dioptre.Source.Message").
@@ -18,8 +18,8 @@
 --
 -- [Math] Vectors, transformations, and the roots of polynomials up to degree four ("Dioptre.Math.Roots").
 --
--- [Geometry] Rays and shapes: where a ray meets a sphere is "Dioptre.Math.Roots" at work in "Dioptre.Geometry.Sphere". Many shapes
--- stand in boxes ("Dioptre.Geometry.Hierarchy").
+-- [Geometry] Rays and shapes: where a ray meets a sphere is "Dioptre.Math.Roots" at work in "Dioptre.Geometry.Sphere".
+-- Many shapes stand in boxes ("Dioptre.Geometry.Hierarchy").
 --
 -- [Optics] Reflection and refraction.
 --
@@ -28,14 +28,15 @@
 -- [Scene] The tree becomes a checked scene ("Dioptre.Scene.Check"), by a description of each object
 -- ("Dioptre.Scene.Schema") that also writes it back.
 --
--- [Model] Models come from files of four formats to one thing ("Dioptre.Model.Content"), each once ("Dioptre.Model.Library"). A scene of
--- text alone has 'noModels', and none of the pictures for textures, which are the @mempty@.
+-- [Model] Models come from files of four formats to one thing ("Dioptre.Model.Content"), each once
+-- ("Dioptre.Model.Library"). A scene of text alone has 'noModels', and none of the pictures for textures, which are the
+-- @mempty@.
 --
 -- [Picture] Colours become bytes ("Dioptre.Picture.Byte"), and bytes a file ("Dioptre.Picture.Png").
 --
--- [Render] The scene becomes a plan, and the plan rows of pixels: the camera ("Dioptre.Render.View"), what a ray meets first
--- ("Dioptre.Render.Closest") and what it sees there ("Dioptre.Render.Radiance"), one row ("Dioptre.Render.Row"), all of them in
--- parallel ("Dioptre.Render.Parallel").
+-- [Render] The scene becomes a plan, and the plan rows of pixels: the camera ("Dioptre.Render.View"), what a ray meets
+-- first ("Dioptre.Render.Closest") and what it sees there ("Dioptre.Render.Radiance"), one row ("Dioptre.Render.Row"),
+-- all of them in parallel ("Dioptre.Render.Parallel").
 --
 -- [Explain] The story of one pixel, as data ("Dioptre.Explain.Story").
 --

@@ -1,9 +1,9 @@
 -- | Pictures that are known to be right, against those that the program draws now.
 --
--- test/golden holds the two pictures of the handout's introduction: equal, every byte. docs/pictures holds the gallery, drawn by
--- docs/make-pictures; sines and powers may round differently from one machine's library to another's, so a channel may differ by one level
--- there. A picture that differs is written to .stack-work/golden, with the one that is wanted and one of the differences; nothing here
--- rewrites what is checked in.
+-- test/golden holds the two pictures of the handout's introduction: equal, every byte. docs/pictures holds the gallery,
+-- drawn by docs/make-pictures; sines and powers may round differently from one machine's library to another's, so a
+-- channel may differ by one level there. A picture that differs is written to .stack-work/golden, with the one that is
+-- wanted and one of the differences; nothing here rewrites what is checked in.
 module GoldenSpec
   ( spec,
   )

@@ -2,8 +2,9 @@
 
 -- | The guides for students: what they say that the program tells, it tells.
 --
--- A block of code in docs/guide.md or docs/guide.fr.md whose first line is @$ dioptre explain SCENE COLUMN ROW@ (in the French one with @--language fr@ after it)
--- is an excerpt of that pixel's story. Its other lines are the story's, all of them in order, where a line @[...]@ stands for any number of lines.
+-- A block of code in docs/guide.md or docs/guide.fr.md whose first line is @$ dioptre explain SCENE COLUMN ROW@ (in the
+-- French one with @--language fr@ after it) is an excerpt of that pixel's story. Its other lines are the story's, all
+-- of them in order, where a line @[...]@ stands for any number of lines.
 module GuideSpec
   ( spec,
   )
@@ -116,8 +117,9 @@ unlike excerpt story = left (excerpt <> [end]) (story <> [end])
 end :: Text
 end = "(the end)"
 
--- | Lines of the same text whose numbers are the same but for rounding. The tangent in a camera and the arc tangent of an angle may differ by an ulp from one machine's library to
--- another's, 1e-16; dividing by the smallest coefficient in the guide, 7e-5, makes 2e-12 of it in a root.
+-- | Lines of the same text whose numbers are the same but for rounding. The tangent in a camera and the arc tangent of
+-- an angle may differ by an ulp from one machine's library to another's, 1e-16; dividing by the smallest coefficient in
+-- the guide, 7e-5, makes 2e-12 of it in a root.
 isLike :: Text -> Text -> Bool
 isLike a b = length (pieces a) == length (pieces b) && and (zipWith agree (pieces a) (pieces b))
   where

@@ -1,7 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What becomes of files, and of the program, when the world fails: no file is half-written, no picture is lost or written over, and there is a message and exit code 3. And scenes whose values lie at
--- the edges of what can be said: each has a picture, in bounded time. (Files that fail by themselves have their own specs, in test/Dioptre/Files.)
+-- | What becomes of files, and of the program, when the world fails: no file is half-written, no picture is lost or
+-- written over, and there is a message and exit code 3. And scenes whose values lie at the edges of what can be said:
+-- each has a picture, in bounded time. (Files that fail by themselves have their own specs, in test/Dioptre/Files.)
 module RobustnessSpec
   ( spec,
   )

@@ -74,13 +74,16 @@ data Loaded = Loaded
     loadedLibrary :: Library Texture,
     -- | The models' files, as their reading ended.
     loadedModels :: [ModelRead],
-    -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each in its order.
+    -- | What is wrong, file by file: first the scene, then the models and their materials, as their reading ended; each
+    -- in its order.
     loadedDiagnostics :: [(Source, [Diagnostic])],
-    -- | What was found for each name of a file, which the scene or one of its models or their materials has, and which was looked for from that folder on.
+    -- | What was found for each name of a file, which the scene or one of its models or their materials has, and which
+    -- was looked for from that folder on.
     loadedSought :: Map (FilePath, Text) (Either FileTrouble Found)
   }
 
--- | All files that were found for a scene, each once, as one calls them from the working directory: models, their materials, and pictures; not the scene's own.
+-- | All files that were found for a scene, each once, as one calls them from the working directory: models, their
+-- materials, and pictures; not the scene's own.
 loadedFiles :: Loaded -> [FilePath]
 loadedFiles loaded = map foundPath (Map.elems (Map.fromList [(foundFile file, file) | Right file <- Map.elems (loadedSought loaded)]))
 
@@ -90,7 +93,8 @@ loadedFiles loaded = map foundPath (Map.elems (Map.fromList [(foundFile file, fi
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)
 loadScene l path = readWhole path >>= either (pure . Left . fileFault l) (fmap Right . loadSource l . Source.decode path)
 
--- | The scene of a text, with its pictures and models, which are looked for as if the text stood in the file whose path is its name.
+-- | The scene of a text, with its pictures and models, which are looked for as if the text stood in the file whose path
+-- is its name.
 loadSource :: Language -> Source -> IO Loaded
 loadSource l source = do
   let tree = parse source
@@ -114,7 +118,8 @@ loadSource l source = do
 loadPicture :: Language -> FilePath -> IO (Either Text Picture)
 loadPicture l path = readPlain path >>= either (pure . Left . fileFault l) (fmap (first (undecodable l path)) . attempted decode)
 
--- | The picture at a path: for a scene (a path that ends in @.txt@) the one that it draws, and its scene; otherwise the one in the file.
+-- | The picture at a path: for a scene (a path that ends in @.txt@) the one that it draws, and its scene; otherwise the
+-- one in the file.
 --
 -- Spec: compare.pictures.
 drawnOrLoaded :: Language -> FilePath -> IO (Either Text (Picture, Maybe Loaded))

@@ -6,10 +6,13 @@
 --
 -- > errors [--rays N] [--scene-rays N] [--seed S]
 --
--- What the tests do with some thousand rays this program does with as many as one likes, and it says how far the parameters were off. --rays (100000) are aimed at shapes of all sorts, in the two manners of "Laws.Exactness", and compared
--- with the obvious implementation; --scene-rays (1000000) are sent through scenes with an index and compared with the plain list. The same seed (1) gives the same rays. Ends with exit code 1 if anything disagreed.
+-- What the tests do with some thousand rays this program does with as many as one likes, and it says how far the
+-- parameters were off. --rays (100000) are aimed at shapes of all sorts, in the two manners of "Laws.Exactness", and
+-- compared with the obvious implementation; --scene-rays (1000000) are sent through scenes with an index and compared
+-- with the plain list. The same seed (1) gives the same rays. Ends with exit code 1 if anything disagreed.
 --
--- For each shape it prints how many parameters there were, those among them that are near a rim or a tangent and not measured, the median of the relative errors, and the worst; then, for each of the worst, the shape and the ray.
+-- For each shape it prints how many parameters there were, those among them that are near a rim or a tangent and not
+-- measured, the median of the relative errors, and the worst; then, for each of the worst, the shape and the ray.
 module Main
   ( main,
   )

@@ -6,10 +6,12 @@
 --
 -- > fuzz [--seed N] [--seconds S | --inputs N] [--target KIND]... [--replay FILE]...
 --
--- Makes inputs of every kind in turn (of some kinds, by their file endings: @--target txt --target obj@), tries each, and keeps those that fail, shrunk, in test/fuzz/cases. Runs in the project's folder. Ends with exit code 1 if any failed.
--- With @--replay@, tries the inputs in these files instead.
+-- Makes inputs of every kind in turn (of some kinds, by their file endings: @--target txt --target obj@), tries each,
+-- and keeps those that fail, shrunk, in test/fuzz/cases. Runs in the project's folder. Ends with exit code 1 if any
+-- failed. With @--replay@, tries the inputs in these files instead.
 --
--- An input that neither ends nor can be interrupted is written to test/fuzz/cases too, and ends the run with exit code 2.
+-- An input that neither ends nor can be interrupted is written to test/fuzz/cases too, and ends the run with exit code
+-- 2.
 module Main
   ( main,
   )

@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Command.Browser
 -- Description : Opens the viewer's page in the user's browser
 --
--- The page's address holds a secret ("Dioptre.View.Guard"), and whatever a program is started with can be read by every user of the machine, in the list of processes. So the browser
--- is not started with the address, but with a file that leads there and that only the user may read. (Jupyter does the same.)
+-- The page's address holds a secret ("Dioptre.View.Guard"), and whatever a program is started with can be read by every
+-- user of the machine, in the list of processes. So the browser is not started with the address, but with a file that
+-- leads there and that only the user may read. (Jupyter does the same.)
 --
 -- >  browser ---opens---> /tmp/dioptre-Xy12ab/view.html ---leads to---> http://127.0.0.1:8000/#token=...
 module Dioptre.Command.Browser
@@ -26,7 +27,8 @@ import System.Info (os)
 import System.Posix.Temp (mkdtemp)
 import System.Process (CreateProcess (..), ProcessHandle, StdStream (NoStream), createProcess, proc, waitForProcess)
 
--- | Opens an address in the user's browser, if there is a screen and a way to do so, and does some work, which is told whether there was.
+-- | Opens an address in the user's browser, if there is a screen and a way to do so, and does some work, which is told
+-- whether there was.
 withBrowser :: String -> (Bool -> IO a) -> IO a
 withBrowser address act =
   opener >>= \case

@@ -39,14 +39,15 @@ import System.Exit (ExitCode (..))
 import System.FilePath (takeExtension)
 import System.IO (stdout)
 
--- | Prints the diagnostics of files on standard output: scenes with the files that they need, and configurations (whose names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that
--- cannot be read.
+-- | Prints the diagnostics of files on standard output: scenes with the files that they need, and configurations (whose
+-- names end in @.cfg@). Exit codes: 0 nothing to mend, 1 errors or warnings, 3 a file that cannot be read.
 --
 -- Spec: cli.exit, cli.check, cli.check.json.
 check :: Journal -> Format -> [FilePath] -> IO ExitCode
 check = checked id
 
--- | The same, with notes on what the original program does otherwise with the scenes ("Dioptre.Scene.Original"). Notes do not change the exit code.
+-- | The same, with notes on what the original program does otherwise with the scenes ("Dioptre.Scene.Original"). Notes
+-- do not change the exit code.
 checkWithOriginal :: Journal -> Format -> [FilePath] -> IO ExitCode
 checkWithOriginal = checked $ \case
   -- Of a scene and its files the scene comes first.

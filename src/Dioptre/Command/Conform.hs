@@ -47,7 +47,8 @@ data Trial = Trial
     trialTimeout :: Double,
     -- | How the result is printed.
     trialFormat :: Format,
-    -- | The folder of the suite; otherwise the nearest @conformance@ of the working directory and the folders around it.
+    -- | The folder of the suite; otherwise the nearest @conformance@ of the working directory and the folders around
+    -- it.
     trialSuite :: Maybe FilePath,
     -- | The port: its command.
     trialCommand :: FilePath,
@@ -56,7 +57,8 @@ data Trial = Trial
   }
   deriving stock (Eq, Show)
 
--- | Runs the suite against a port, and prints how it did on standard output. Exit codes: 0 nothing failed, 1 something did, 2 no such case, 3 no suite, or no port.
+-- | Runs the suite against a port, and prints how it did on standard output. Exit codes: 0 nothing failed, 1 something
+-- did, 2 no such case, 3 no suite, or no port.
 --
 -- Spec: conformance.whole, cli.conform.
 conform :: Journal -> Trial -> IO ExitCode

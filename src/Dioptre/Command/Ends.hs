@@ -6,8 +6,9 @@
 -- Module      : Dioptre.Command.Ends
 -- Description : How the program ends
 --
--- A command has done its work when what it printed is on its way, and not before: a result that a full disk swallows is a file that cannot be written. And it is not the
--- only one to say when the program ends: SIGTERM and SIGHUP end it as Ctrl-C does, by an exception, on whose way every temporary is removed.
+-- A command has done its work when what it printed is on its way, and not before: a result that a full disk swallows is
+-- a file that cannot be written. And it is not the only one to say when the program ends: SIGTERM and SIGHUP end it as
+-- Ctrl-C does, by an exception, on whose way every temporary is removed.
 module Dioptre.Command.Ends
   ( -- * All that is printed
     withAllPrinted,
@@ -31,8 +32,9 @@ import System.Exit (ExitCode (..), exitWith)
 import System.IO (hFlush, stdout)
 import System.Posix.Signals (Handler (..), Signal, fileSizeLimitExceeded, installHandler, raiseSignal)
 
--- | Does some work and sees what it printed on its way. Where standard output takes no more, that is told in a language, and is exit code 3 whatever the work returned. That nobody reads any more is
--- an exception still: there is nobody to tell.
+-- | Does some work and sees what it printed on its way. Where standard output takes no more, that is told in a
+-- language, and is exit code 3 whatever the work returned. That nobody reads any more is an exception still: there is
+-- nobody to tell.
 --
 -- Spec: cli.streams.
 withAllPrinted :: Language -> IO ExitCode -> IO ExitCode
@@ -58,7 +60,8 @@ instance Exception EndedBy where
   toException = asyncExceptionToException
   fromException = asyncExceptionFromException
 
--- | From now on these signals are thrown to this thread, as 'EndedBy'; and a file that may not grow any more is a failure to write, and no longer the end of the program.
+-- | From now on these signals are thrown to this thread, as 'EndedBy'; and a file that may not grow any more is a
+-- failure to write, and no longer the end of the program.
 --
 -- Spec: files.whole.
 heedSignals :: [Signal] -> IO ()
@@ -67,7 +70,8 @@ heedSignals signals = do
   forM_ signals $ \signal -> void (installHandler signal (Catch (throwTo thread (EndedBy signal))) Nothing)
   void (installHandler fileSizeLimitExceeded Ignore Nothing)
 
--- | Ends the program as the signal would have, so that whoever waits for it sees by what it ended: a shell has exit code 143 for SIGTERM, 129 for SIGHUP.
+-- | Ends the program as the signal would have, so that whoever waits for it sees by what it ended: a shell has exit
+-- code 143 for SIGTERM, 129 for SIGHUP.
 --
 -- Spec: cli.exit.
 dieOf :: Signal -> IO a

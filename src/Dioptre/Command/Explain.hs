@@ -25,8 +25,9 @@ import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Source.Language (inLanguage)
 import System.Exit (ExitCode (..))
 
--- | Prints the story of the pixel at a column and a row of a scene's picture on standard output; what is wrong with the scene is said as when it is rendered. Exit codes: 0 told, 2 for a pixel outside of the picture, 3 for a
--- scene that cannot be read.
+-- | Prints the story of the pixel at a column and a row of a scene's picture on standard output; what is wrong with the
+-- scene is said as when it is rendered. Exit codes: 0 told, 2 for a pixel outside of the picture, 3 for a scene that
+-- cannot be read.
 --
 -- Spec: cli.explain.
 explain :: Journal -> Format -> FilePath -> Int -> Int -> IO ExitCode

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Command.Journal
 -- Description : What the program tells while it works
 --
--- Messages go to standard error, where they have colours if it is a terminal, and are kept for the log, where they have none.
+-- Messages go to standard error, where they have colours if it is a terminal, and are kept for the log, where they have
+-- none.
 module Dioptre.Command.Journal
   ( Journal,
     newJournal,
@@ -58,7 +59,8 @@ newJournal l loud = Journal l loud <$> newIORef Seq.empty
 journalWith :: Language -> Bool -> Journal -> Journal
 journalWith l loud journal = journal {journalLanguage = l, speaks = loud}
 
--- | A message. Where standard error takes none, it is kept all the same, and the work goes on; but not where nobody reads any more.
+-- | A message. Where standard error takes none, it is kept all the same, and the work goes on; but not where nobody
+-- reads any more.
 --
 -- Spec: run.log.
 say :: Journal -> Doc Report.Style -> IO ()
@@ -106,7 +108,8 @@ toConsole handle doc = do
   colourful <- (&&) <$> hSupportsANSI handle <*> (maybe True null <$> lookupEnv "NO_COLOR")
   Terminal.renderIO handle (layoutPretty layout ((if colourful then doc else unAnnotate doc) <> hardline))
 
--- | Runs some work of n steps, which reports each; shows how far it has come where the journal speaks and standard error is a terminal.
+-- | Runs some work of n steps, which reports each; shows how far it has come where the journal speaks and standard
+-- error is a terminal.
 withProgress :: Journal -> Text -> Int -> (IO () -> IO a) -> IO a
 withProgress journal label n work = do
   terminal <- hIsTerminalDevice stderr

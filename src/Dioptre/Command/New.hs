@@ -6,7 +6,8 @@
 -- Module      : Dioptre.Command.New
 -- Description : dioptre new: a scene to start from
 --
--- The scenes stand in the folder @starters@, one in each language, and are compiled in. They draw the same picture, and are named @my_scene@ inside until they have a name.
+-- The scenes stand in the folder @starters@, one in each language, and are compiled in. They draw the same picture, and
+-- are named @my_scene@ inside until they have a name.
 module Dioptre.Command.New
   ( new,
     starter,
@@ -37,8 +38,9 @@ import System.FilePath (dropExtension, takeDirectory, takeExtension, takeFileNam
 import System.IO.Error (isAlreadyExistsError)
 import System.Posix.Files (removeLink)
 
--- | Writes a scene to start from, commented in the journal's language, to a path, to which @.txt@ is added where it does not end so; prints the path that it has. Exit codes: 0 written,
--- 2 this is no name for a scene, 3 there is something of that name, which stays as it is, or it cannot be written.
+-- | Writes a scene to start from, commented in the journal's language, to a path, to which @.txt@ is added where it
+-- does not end so; prints the path that it has. Exit codes: 0 written, 2 this is no name for a scene, 3 there is
+-- something of that name, which stays as it is, or it cannot be written.
 new :: Journal -> FilePath -> IO ExitCode
 new journal name
   | any isControl name || dropExtension (takeFileName path) `elem` ["", ".", ".."] =

@@ -23,7 +23,8 @@ import Dioptre.Conformance.Protocol (Answer (..), Outcome (Fault), Request (..),
 import System.Exit (ExitCode (..))
 import System.IO (BufferMode (BlockBuffering), hFlush, hSetBinaryMode, hSetBuffering, stdin, stdout)
 
--- | Answers each line of standard input with a line of standard output, in their order, until the input ends. The first argument is this program's version.
+-- | Answers each line of standard input with a line of standard output, in their order, until the input ends. The first
+-- argument is this program's version.
 --
 -- A line longer than 64 MiB is answered with an error. Each answer is out before the next request is read.
 --

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Command.Render
 -- Description : dioptre render: one scene, one picture
 --
--- What the options ask for that the scene cannot give, and what would keep the picture from being written, is found before anything is drawn.
+-- What the options ask for that the scene cannot give, and what would keep the picture from being written, is found
+-- before anything is drawn.
 module Dioptre.Command.Render
   ( Options (..),
     Output (..),
@@ -139,8 +140,8 @@ resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportW
   where
     tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
 
--- | What would prevent the picture of a scene from being written, found before it is drawn; with the exit code that it deserves. Given the files that the scene reads, none of which is replaced,
--- by whatever path.
+-- | What would prevent the picture of a scene from being written, found before it is drawn; with the exit code that it
+-- deserves. Given the files that the scene reads, none of which is replaced, by whatever path.
 --
 -- Spec: cli.render.safe.
 outputObstacle :: Options -> Scene -> [FilePath] -> IO (Maybe (Int, Language -> Text))

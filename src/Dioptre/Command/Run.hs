@@ -64,7 +64,8 @@ readConfiguration = fmap (understood . decode configurationFile) <$> readPlain c
   where
     understood source = let (configuration, diagnostics) = checkConfiguration (parse source) in (source, configuration, diagnostics)
 
--- | Runs what the configuration says. Without one, tells what there is to know and writes one. Exit codes as in the README.
+-- | Runs what the configuration says. Without one, tells what there is to know and writes one. Exit codes as in the
+-- README.
 --
 -- Spec: config.missing.
 run :: Journal -> Either FileFault (Source, Configuration, [Diagnostic]) -> IO ExitCode
@@ -167,9 +168,10 @@ draw journal inputs configuration = withSource journal inputs configuration $ \(
       (tracing, (image, tally)) <- timed (traced journal planned)
       leave journal inputs configuration (loadedScene loaded) image tracing tally
 
--- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is closed. What it leaves is the first
--- picture that is finished: of the scene as it was changed, if somebody changed it before. A picture that is too large for the page is drawn without it.
--- Where no browser can be opened, as without a screen, nobody would close the page: the scene is drawn as by console.
+-- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is
+-- closed. What it leaves is the first picture that is finished: of the scene as it was changed, if somebody changed it
+-- before. A picture that is too large for the page is drawn without it. Where no browser can be opened, as without a
+-- screen, nobody would close the page: the scene is drawn as by console.
 frame :: Journal -> Inputs -> Configuration -> IO ExitCode
 frame journal inputs configuration =
   opener >>= \case
@@ -228,7 +230,8 @@ leave journal inputs configuration scene image tracing tally = do
   where
     l = journalLanguage journal
 
--- | Does some work with the text of the scene that the configuration names, and whether its name is the path of a file: the built-in one, or one that is looked for.
+-- | Does some work with the text of the scene that the configuration names, and whether its name is the path of a file:
+-- the built-in one, or one that is looked for.
 --
 -- Spec: run.search.
 withSource :: Journal -> Inputs -> Configuration -> ((Source, Bool) -> IO ExitCode) -> IO ExitCode

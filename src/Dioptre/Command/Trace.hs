@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Command.Trace
 -- Description : Tracing a picture while a person waits
 --
--- What @render@ and the run without arguments share: all processors at work, a bar that shows how far they are, how long it took, and
--- a warning where rays were left out.
+-- What @render@ and the run without arguments share: all processors at work, a bar that shows how far they are, how
+-- long it took, and a warning where rays were left out.
 module Dioptre.Command.Trace
   ( traced,
     timed,

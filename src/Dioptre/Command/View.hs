@@ -47,7 +47,8 @@ data ViewOptions = ViewOptions
     viewBrowser :: Bool
   }
 
--- | Shows the scene in the file at a path, or the one that is built in, until Ctrl-C. Exit code 3 for a file that cannot be read, or a port that cannot be had.
+-- | Shows the scene in the file at a path, or the one that is built in, until Ctrl-C. Exit code 3 for a file that
+-- cannot be read, or a port that cannot be had.
 viewScene :: Journal -> ViewOptions -> Maybe FilePath -> IO ExitCode
 viewScene journal options path =
   source >>= \case
@@ -64,7 +65,8 @@ viewScene journal options path =
 builtIn :: Source
 builtIn = fromText (Text.unpack defaultSceneFile) defaultScene
 
--- | Shows a scene while some work is done with the viewer. Says whether it is drawn also while nobody looks; and of the scene, whether its name is the path of a file.
+-- | Shows a scene while some work is done with the viewer. Says whether it is drawn also while nobody looks; and of the
+-- scene, whether its name is the path of a file.
 viewing :: Journal -> ViewOptions -> Bool -> (Source, Bool) -> (Viewer -> IO ExitCode) -> IO ExitCode
 viewing journal options unwatched (source, hasFile) act = do
   outcome <- withViewer (Settings (viewPort options) l unwatched source hasFile) $ \viewer -> do
@@ -96,7 +98,8 @@ awaitPicture viewer = atomically $ do
     Nothing | isJust (deskChecked desk >>= checkedComplaint) -> pure Nothing
     Nothing -> retry
 
--- | Waits until a page was open and none is, and none comes back for a while: a page that is loaded anew is away for a moment.
+-- | Waits until a page was open and none is, and none comes back for a while: a page that is loaded anew is away for a
+-- moment.
 awaitDeparture :: Viewer -> IO ()
 awaitDeparture viewer = do
   deserted

@@ -12,8 +12,8 @@
 -- > set        arrays have the same elements, in any order
 -- > levels:N   base 64 of as many bytes, each at most N from the expected one
 --
--- An object instead of one of these words gives a rule for each member by its name, exact where it gives none. Objects have the same members. Differences of numbers are
--- computed in binary64.
+-- An object instead of one of these words gives a rule for each member by its name, exact where it gives none. Objects
+-- have the same members. Differences of numbers are computed in binary64.
 module Dioptre.Conformance.Compare
   ( Comparison (..),
     comparison,
@@ -94,8 +94,8 @@ describeComparison how = case how of
     shown :: Show a => a -> Text
     shown = Text.pack . show
 
--- | The place at which a result first differs from the expected value, which comes first: @$@ for the whole, then names of members and numbers of elements, from 0. 'Nothing'
--- where the result passes.
+-- | The place at which a result first differs from the expected value, which comes first: @$@ for the whole, then names
+-- of members and numbers of elements, from 0. 'Nothing' where the result passes.
 --
 -- >>> firstDifference Exact (toJSON [1, 2 :: Int]) (toJSON [1, 3 :: Int])
 -- Just "$[1]"

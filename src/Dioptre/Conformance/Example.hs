@@ -5,7 +5,8 @@
 -- Module      : Dioptre.Conformance.Example
 -- Description : The examples of the specification
 --
--- A chapter of the specification is CommonMark. A rule is a paragraph that begins with its label; the examples that follow it are cases:
+-- A chapter of the specification is CommonMark. A rule is a paragraph that begins with its label; the examples that
+-- follow it are cases:
 --
 -- > **`roots.quadratic.order`** The roots are in ascending order.
 -- >
@@ -15,9 +16,9 @@
 -- > [1,2]
 -- > ```
 --
--- The first line of a block names the example, the operation, and perhaps a comparison; the body is what is sent and what is expected. For an operation on a text the
--- first line of the body is what is sent without the text, and the lines after it are the text. A block @shown@ in place of @example@ is for what no
--- operation shows.
+-- The first line of a block names the example, the operation, and perhaps a comparison; the body is what is sent and
+-- what is expected. For an operation on a text the first line of the body is what is sent without the text, and the
+-- lines after it are the text. A block @shown@ in place of @example@ is for what no operation shows.
 module Dioptre.Conformance.Example
   ( -- * Rules
     Rule (..),

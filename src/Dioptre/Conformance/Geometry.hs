@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Conformance.Geometry
 -- Description : The operations of the profile geometry
 --
--- Where rays meet surfaces. An operation @intersect.*@ gives every real parameter at which the ray's whole line, behind its origin too, meets an unbounded surface (a
--- torus is bounded by itself), ascending, and a parameter twice where the line touches the surface:
+-- Where rays meet surfaces. An operation @intersect.*@ gives every real parameter at which the ray's whole line, behind
+-- its origin too, meets an unbounded surface (a torus is bounded by itself), ascending, and a parameter twice where the
+-- line touches the surface:
 --
 -- * a plane, once or never (a line in the plane: never);
 -- * a sphere, twice or never;
@@ -13,7 +14,8 @@
 -- * both halves of a double cone, twice or never, once for a line parallel to one of its lines;
 -- * a torus, four times, twice or never; of a spindle the sheet inside as well.
 --
--- The radius of a sphere, tube or cone may be zero, or negative, which is as good as its opposite, since only its square counts.
+-- The radius of a sphere, tube or cone may be zero, or negative, which is as good as its opposite, since only its
+-- square counts.
 module Dioptre.Conformance.Geometry
   ( operations,
   )
@@ -81,7 +83,8 @@ intersectTorus o = do
 shapeOf :: Object -> Parser Prepared
 shapeOf o = field shape o "geometry" >>= maybe (fail "a direction of the shape cannot be made unit") pure . prepare
 
--- | What a ray meets first, at a parameter above 1e-8: the parameter, the point, the unit outward normal, and the texture coordinates before they are wrapped; or null.
+-- | What a ray meets first, at a parameter above 1e-8: the parameter, the point, the unit outward normal, and the
+-- texture coordinates before they are wrapped; or null.
 hit :: Prepared -> Ray -> Parser Value
 hit s r
   | isInfinite t = pure Null

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Conformance.Lighting
 -- Description : The operations of the profile lighting
 --
--- The bare terms of "Dioptre.Light.Illumination", with no shadow and no attenuation. Normals are made unit; @direction@, the way the light arrives, and
+-- The bare terms of "Dioptre.Light.Illumination", with no shadow and no attenuation. Normals are made unit;
+-- @direction@, the way the light arrives, and
 -- @view@, the way the looking ray arrives, are taken as they are.
 module Dioptre.Conformance.Lighting
   ( operations,

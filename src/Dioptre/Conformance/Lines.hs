@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Conformance.Lines
 -- Description : Lines of bounded length from a handle
 --
--- What @hGetLine@ does for trusted neighbours. Here the other side may send a line without an end: no more of it is kept than is allowed, and the
--- rest is passed over.
+-- What @hGetLine@ does for trusted neighbours. Here the other side may send a line without an end: no more of it is
+-- kept than is allowed, and the rest is passed over.
 module Dioptre.Conformance.Lines
   ( Lines,
     linesOf,

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Conformance.Maths
 -- Description : The operations of the profile maths
 --
--- Vectors, roots and transformations: "Dioptre.Math.Vector", "Dioptre.Math.Roots", "Dioptre.Math.Quartic", "Dioptre.Math.Transform".
+-- Vectors, roots and transformations: "Dioptre.Math.Vector", "Dioptre.Math.Roots", "Dioptre.Math.Quartic",
+-- "Dioptre.Math.Transform".
 module Dioptre.Conformance.Maths
   ( operations,
   )
@@ -23,7 +24,8 @@ import Dioptre.Math.Transform (Transform, identity, matrix, transform, transform
 import Dioptre.Math.Vector (Vector, angle, cross, distance, dot, modulus, unit, (*^))
 import qualified Dioptre.Math.Vector as Vector
 
--- | By their names. The results of @roots.*@ are ascending, as often as their multiplicity. The parts of a transformation that are left out change nothing.
+-- | By their names. The results of @roots.*@ are ascending, as often as their multiplicity. The parts of a
+-- transformation that are left out change nothing.
 --
 -- Spec: protocol.operations.
 operations :: [(Text, Operation)]

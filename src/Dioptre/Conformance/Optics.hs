@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Conformance.Optics
 -- Description : The operations of the profile optics
 --
--- "Dioptre.Optics.Reflection" and "Dioptre.Optics.Refraction". The direction is made unit, and the normal made unit and turned against it.
+-- "Dioptre.Optics.Reflection" and "Dioptre.Optics.Refraction". The direction is made unit, and the normal made unit and
+-- turned against it.
 module Dioptre.Conformance.Optics
   ( operations,
     against,

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Conformance.Oracle
 -- Description : This program as a port of itself
 --
--- The table of all operations, and the answer to any line: what this program says where the suite asks. The suite's expected values do not come from here; that this
--- program agrees with them is one of its tests.
+-- The table of all operations, and the answer to any line: what this program says where the suite asks. The suite's
+-- expected values do not come from here; that this program agrees with them is one of its tests.
 module Dioptre.Conformance.Oracle
   ( answer,
     perform,

@@ -10,8 +10,9 @@
 -- > ray      {"origin": [0, 0, 0], "direction": [0, 0, 1]}
 -- > shape    {"kind": "disk", "position": [0, 0, 0], "normal": [0, 0, 1], "ray": 2}
 --
--- A shape is written with the words of the scene language, and read by the scene language's own tables ("Dioptre.Scene.Shapes"): it is turned into a block of a scene, so
--- that words, ranges, conditions and defaults are the same. A property that may be given several times is an array of its values.
+-- A shape is written with the words of the scene language, and read by the scene language's own tables
+-- ("Dioptre.Scene.Shapes"): it is turned into a block of a scene, so that words, ranges, conditions and defaults are
+-- the same. A property that may be given several times is an array of its values.
 module Dioptre.Conformance.Parameter
   ( -- * Operations
     Operation,

@@ -8,7 +8,8 @@
 -- >   hear  <-----  standard output           read by another
 -- >   ending  <---  standard error            read by a third
 --
--- The port is the head of a process group of its own, which is killed whole, so that nothing that it started stays behind.
+-- The port is the head of a process group of its own, which is killed whole, so that nothing that it started stays
+-- behind.
 module Dioptre.Conformance.Port
   ( Port,
     withPort,
@@ -54,8 +55,8 @@ data Port = Port
     listener :: Async ()
   }
 
--- | Does something with a program that was started with these arguments, and of whose lines none is kept that is longer than so many bytes. In the end the program is killed, with all that it
--- started. A fault, if it cannot be started.
+-- | Does something with a program that was started with these arguments, and of whose lines none is kept that is longer
+-- than so many bytes. In the end the program is killed, with all that it started. A fault, if it cannot be started.
 withPort :: Int -> FilePath -> [String] -> (Port -> IO a) -> IO (Either FileFault a)
 withPort longest command arguments work =
   bracket (orFault command start) (traverse_ stop) $ \case
@@ -137,8 +138,8 @@ close port = writeChan (requests port) Nothing
 hear :: Port -> Double -> IO (Maybe Line)
 hear port seconds = timeout (ceiling (max 0 seconds * 1e6)) (takeMVar (answers port))
 
--- | How a port ended that has closed its output: the exit code, or the negative number of the signal, and the last thousand bytes that it said on standard error. It is given a second, and then
--- killed.
+-- | How a port ended that has closed its output: the exit code, or the negative number of the signal, and the last
+-- thousand bytes that it said on standard error. It is given a second, and then killed.
 ending :: Port -> IO (Int, Text)
 ending port = do
   code <- waitUpTo (100 :: Int)

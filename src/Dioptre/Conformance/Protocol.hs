@@ -13,8 +13,9 @@
 -- > {"id":7,"error":"'ray' is out of range"}                      the request has no result
 -- > {"error":"the line is not JSON"}                              nothing could be made of the line
 --
--- Answers carry the identifier of their request, and may come in any order. The first request is @start@, without @in@; what the port answers says
--- who it is. A number stands for a binary64; NaN and the infinities cannot be sent, since JSON has no such numbers.
+-- Answers carry the identifier of their request, and may come in any order. The first request is @start@, without @in@;
+-- what the port answers says who it is. A number stands for a binary64; NaN and the infinities cannot be sent, since
+-- JSON has no such numbers.
 module Dioptre.Conformance.Protocol
   ( -- * Requests
     Request (..),
@@ -138,7 +139,8 @@ identified = foldMap (pair "id" . Encoding.int)
 written :: Series -> Lazy.ByteString
 written = encodingToLazyByteString . Encoding.pairs
 
--- | The number as a binary64, to the nearest, ties to even; infinite beyond the largest one. 'Nothing' for what is no number.
+-- | The number as a binary64, to the nearest, ties to even; infinite beyond the largest one. 'Nothing' for what is no
+-- number.
 --
 -- Spec: protocol.numbers.
 binary64 :: Value -> Maybe Double
@@ -146,8 +148,8 @@ binary64 value = case value of
   Number _ | Success x <- fromJSON value -> Just x
   _ -> Nothing
 
--- | JSON with the members of objects in alphabetical order, and numbers with the shortest digits that read back to the same binary64: without a point where they are whole and
--- less than 2^53.
+-- | JSON with the members of objects in alphabetical order, and numbers with the shortest digits that read back to the
+-- same binary64: without a point where they are whole and less than 2^53.
 --
 -- Spec: protocol.numbers.
 writeValue :: Value -> Encoding

@@ -6,12 +6,14 @@
 -- Module      : Dioptre.Conformance.Runner
 -- Description : Running the suite against a program that may do anything
 --
--- Requests are sent ahead of the port's answers, a window of them, so that neither side waits for the other at each case:
+-- Requests are sent ahead of the port's answers, a window of them, so that neither side waits for the other at each
+-- case:
 --
 -- >   cases  ----->  [ outstanding ]  ----->  port
 -- >   verdicts  <-----------------------------  answers, in any order
 --
--- Nothing that a port does stops the run, and no trouble is laid at the door of a case that did not make it: see Note [Whose fault].
+-- Nothing that a port does stops the run, and no trouble is laid at the door of a case that did not make it: see Note
+-- [Whose fault].
 module Dioptre.Conformance.Runner
   ( Settings (..),
     standardSettings,
@@ -81,7 +83,8 @@ data Complaint
     DidNotEnd
   deriving stock (Eq, Show)
 
--- | Runs cases against a program with its arguments; each verdict is reported as it comes. A fault, if the program cannot be started.
+-- | Runs cases against a program with its arguments; each verdict is reported as it comes. A fault, if the program
+-- cannot be started.
 --
 -- Spec: compare.verdicts.
 runCases :: Settings -> IO () -> FilePath -> [String] -> [Case] -> IO (Either FileFault Ran)
@@ -276,12 +279,12 @@ excerpt bytes = Text.take 200 (Text.decodeUtf8With lenientDecode (Bytes.take 800
 mostAstray :: Int
 mostAstray = 1000
 
--- Note [Whose fault]
--- ~~~~~~~~~~~~~~~~~~
--- When a port ends, or says nothing for too long, with several requests outstanding, any of them may be why: ports may answer in any order, and answers may have been
--- lost in a buffer. None of them is blamed then. The port is started again and asked these, one at a time; a case that is alone when the port fails
--- fails, and counts as a strike. The others go on, and the window opens again.
+-- Note [Whose fault] ~~~~~~~~~~~~~~~~~~ When a port ends, or says nothing for too long, with several requests
+-- outstanding, any of them may be why: ports may answer in any order, and answers may have been lost in a buffer. None
+-- of them is blamed then. The port is started again and asked these, one at a time; a case that is alone when the port
+-- fails fails, and counts as a strike. The others go on, and the window opens again.
 --
--- An answer without an identifier belongs to a request that cannot be told; when there are as many of them as there are requests outstanding, and nothing more comes for a second, they were
--- the answers to these, which fail. A line that is no answer at all may be an answer gone wrong, or chatter. It counts in the same way, but only until the next answer, so that a
--- port that merely chatters between its answers loses nothing.
+-- An answer without an identifier belongs to a request that cannot be told; when there are as many of them as there are
+-- requests outstanding, and nothing more comes for a second, they were the answers to these, which fail. A line that is
+-- no answer at all may be an answer gone wrong, or chatter. It counts in the same way, but only until the next answer,
+-- so that a port that merely chatters between its answers loses nothing.

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Conformance.Scenes
 -- Description : The operations of the profiles scene and picture
 --
--- What becomes of a scene's text. Nothing is read from a disk: models and pictures that the text names are not there, and are not spoken of, since that is no matter of
--- the text.
+-- What becomes of a scene's text. Nothing is read from a disk: models and pictures that the text names are not there,
+-- and are not spoken of, since that is no matter of the text.
 module Dioptre.Conformance.Scenes
   ( sceneOperations,
     pictureOperations,

@@ -10,8 +10,8 @@
 -- > conformance/pictures/mirror.txt, mirror.png    scenes and pictures that cases name
 -- > spec/04-mathematics.md                         a chapter of the specification, whose examples are cases too
 --
--- A vector file is an object with @operation@, @profile@ and @cases@. Where a case's @in@ has a member @file@, the text in that file among the
--- pictures is sent as @text@; where its @ok@ has one, the picture in that file is expected.
+-- A vector file is an object with @operation@, @profile@ and @cases@. Where a case's @in@ has a member @file@, the text
+-- in that file among the pictures is sent as @text@; where its @ok@ has one, the picture in that file is expected.
 module Dioptre.Conformance.Suite
   ( -- * Finding
     findSuite,
@@ -75,8 +75,9 @@ data SuiteFault
     NotUnique Text
   deriving stock (Eq, Show)
 
--- | All cases of the suite in a folder, and the examples of the specification in the folder @spec@ beside it, if there is one: by profiles in their order, then by operations in
--- alphabetical order, then first the examples and then the vectors, as they stand in their files.
+-- | All cases of the suite in a folder, and the examples of the specification in the folder @spec@ beside it, if there
+-- is one: by profiles in their order, then by operations in alphabetical order, then first the examples and then the
+-- vectors, as they stand in their files.
 readSuite :: FilePath -> IO (Either SuiteFault [Case])
 readSuite folder = do
   there <- doesDirectoryExist spec

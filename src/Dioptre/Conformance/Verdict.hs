@@ -5,7 +5,8 @@
 -- Module      : Dioptre.Conformance.Verdict
 -- Description : How a port did
 --
--- A case is passed, failed, or not implemented; these are counted apart, and what is not implemented counts for neither side.
+-- A case is passed, failed, or not implemented; these are counted apart, and what is not implemented counts for neither
+-- side.
 module Dioptre.Conformance.Verdict
   ( -- * Cases
     Case (..),
@@ -89,7 +90,8 @@ data Trouble
 
 -- | The verdict on an answer.
 --
--- A result of @scene.check@ is compared in the members that are expected. What is kept of the answer is bounded, however large it is.
+-- A result of @scene.check@ is compared in the members that are expected. What is kept of the answer is bounded,
+-- however large it is.
 --
 -- Spec: compare.verdicts.
 judge :: Case -> Outcome -> Verdict

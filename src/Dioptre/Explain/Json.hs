@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Explain.Json
 -- Description : The story of a pixel for programs
 --
--- One object with everything that is told. Numbers are JSON numbers that read back to the same binary64; vectors are arrays of three, colours
+-- One object with everything that is told. Numbers are JSON numbers that read back to the same binary64; vectors are
+-- arrays of three, colours
 -- @[r, g, b]@; shapes, primitives, lights, triangles and samples count from 0. What is not there is absent, or @null@ where that is said.
 --
 -- > {"scene":"scene.txt", "column":0, "row":0, "width":500, "height":500,

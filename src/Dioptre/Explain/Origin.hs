@@ -2,8 +2,9 @@
 -- Module      : Dioptre.Explain.Origin
 -- Description : From numbers to what was written
 --
--- The world numbers all shapes, the scene's primitives first and those of its models behind them ("Dioptre.Render.World"). This is the way back: which primitive, or
--- which shape of which model, a number means, and through which frames a ray comes to it.
+-- The world numbers all shapes, the scene's primitives first and those of its models behind them
+-- ("Dioptre.Render.World"). This is the way back: which primitive, or which shape of which model, a number means, and
+-- through which frames a ray comes to it.
 module Dioptre.Explain.Origin
   ( Directory,
     directory,

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Explain.Phrase
 -- Description : Shapes, numbers and colours in words
 --
--- The small pieces of which stories are made in words. Numbers are as short as they read back, and -0 is 0: whoever reads a story learns nothing from its sign.
+-- The small pieces of which stories are made in words. Numbers are as short as they read back, and -0 is 0: whoever
+-- reads a story learns nothing from its sign.
 module Dioptre.Explain.Phrase
   ( -- * Shapes
     thingText,

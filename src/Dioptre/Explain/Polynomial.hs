@@ -45,10 +45,12 @@ import Dioptre.Math.Quartic (quarticRoots)
 import Dioptre.Math.Vector (Point, Unit, Vector, alongZ, distance, dot, unit, vector, (*^))
 import Linear.V3 (V3 (..))
 
--- | A parameter that fulfils a condition, the condition's place among the shape's from 0, and what is measured at the point there.
+-- | A parameter that fulfils a condition, the condition's place among the shape's from 0, and what is measured at the
+-- point there.
 data Candidate = Candidate Double Int Measure
 
--- | The conditions for a ray to meet a shape inside of some frames, the outermost first; and every root of every condition, in the order of the conditions.
+-- | The conditions for a ray to meet a shape inside of some frames, the outermost first; and every root of every
+-- condition, in the order of the conditions.
 equationOf :: [Placement] -> Shape -> Ray -> (Equation, [Candidate])
 equationOf frames shape r = (Equation (if own == r then Nothing else Just own) moved (map fst conditions), candidates)
   where
@@ -187,7 +189,8 @@ coneConditions p1 s h radius r = case coneLine p1 s h radius r of
     let side = quadratic TheDoubleCone ("<d', d'> - (k b)^2", "2 (<w', d'> - k^2 a b)", "<w', w'> - (k a)^2") equation letters 0
         letters = ["w = o + t0 d - P2", "a = <w, S>", "b = <d, S>", "w' = w - a S", "d' = d - b S", "k = R / H" `is` real (radius / h)] <> places
      in Told (Just (t0, 1)) [(side, unmeasured (rootsOf equation)) `countedFrom` t0, within TheEnds "<d, S>" da "<w, S>" a (negate h) 0 `countedFrom` t0]
-  -- Met in units of q = H / R, and told in the ray's own: the equation is q^2 times as small, and its letters are the same.
+  -- Met in units of q = H / R, and told in the ray's own: the equation is q^2 times as small, and its letters are the
+  -- same.
   FromApexPlane t0 q equation@(Quadratic a b c) da ->
     let side = (quadratic TheDoubleCone ("q^2 <d', d'> - b^2", "2 q^2 <w', d'>", "q^2 <w', w'>") (Quadratic a (q * b) (q * q * c)) letters 0, [(q * x, OtherConditions) | x <- rootsOf equation])
         letters = ["w = o + t0 d - P2", "b = <d, S>", "w' = w - <w, S> S", "d' = d - b S", "q = H / R" `is` real q] <> places

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Explain.Story
 -- Description : The story of one pixel, as data
 --
--- Why a pixel has its colour: which rays were cast for it, what each was tried on and with what equation, what it met first, which lights reach
--- that point, and how the sum became four bytes.
+-- Why a pixel has its colour: which rays were cast for it, what each was tried on and with what equation, what it met
+-- first, which lights reach that point, and how the sum became four bytes.
 --
 -- >  Story ---- samples ---- RayStory ---- encounters ---- equations ---- roots
 -- >                             |
@@ -13,8 +13,9 @@
 -- >                                   |
 -- >                                   +--- bounces ---- RayStory ...
 --
--- A story is told by "Dioptre.Explain.Tell", in words by "Dioptre.Explain.Wording", and for programs by "Dioptre.Explain.Json". Its numbers are those with
--- which the picture is made. Places, shapes and lights are numbered from 0, as in the program; words count shapes and lights from 1, as one counts in the file.
+-- A story is told by "Dioptre.Explain.Tell", in words by "Dioptre.Explain.Wording", and for programs by
+-- "Dioptre.Explain.Json". Its numbers are those with which the picture is made. Places, shapes and lights are numbered
+-- from 0, as in the program; words count shapes and lights from 1, as one counts in the file.
 module Dioptre.Explain.Story
   ( -- * Pixels
     Story (..),
@@ -121,7 +122,8 @@ data RayStory = RayStory
     rayWeight :: (Double, Double, Double),
     -- | The refractive index of where it travels.
     rayIndex :: Double,
-    -- | The shapes that it was tried on, in the order of their numbers. Where there are many shapes, only those that its line meets.
+    -- | The shapes that it was tried on, in the order of their numbers. Where there are many shapes, only those that
+    -- its line meets.
     rayEncounters :: [Encounter],
     -- | How many shapes that its line does not meet were left out.
     rayPassed :: Int,

@@ -2,9 +2,10 @@
 -- Module      : Dioptre.Explain.Tell
 -- Description : From a scene and a pixel to its story
 --
--- The renderer's own functions, asked one by one: the closest hit, the normal, the light of each source alone, what stands in the way, the reflected and the
--- refracted direction. What "Dioptre.Render.Radiance" adds up in a loop is kept here as a tree, whose rays are followed in the same order and whose parts are added up in
--- that order, so that the colour told is the colour rendered, bit for bit (a law).
+-- The renderer's own functions, asked one by one: the closest hit, the normal, the light of each source alone, what
+-- stands in the way, the reflected and the refracted direction. What "Dioptre.Render.Radiance" adds up in a loop is
+-- kept here as a tree, whose rays are followed in the same order and whose parts are added up in that order, so that
+-- the colour told is the colour rendered, bit for bit (a law).
 module Dioptre.Explain.Tell
   ( tell,
 
@@ -60,21 +61,24 @@ data Setting = Setting
 mostListed :: Int
 mostListed = 40
 
--- | Only the first rays of a sample are tried on every shape: as many as make this many trials. The others tell what they hit, and the first one also of the
--- scene's first primitives.
+-- | Only the first rays of a sample are tried on every shape: as many as make this many trials. The others tell what
+-- they hit, and the first one also of the scene's first primitives.
 mostTried :: Int
 mostTried = 200000
 
--- | Of a pixel of many samples the first are kept, until they have this many rays together. The others are only counted in: a scene may ask for 2^31 samples, and nobody reads as many.
+-- | Of a pixel of many samples the first are kept, until they have this many rays together. The others are only counted
+-- in: a scene may ask for 2^31 samples, and nobody reads as many.
 mostKept :: Int
 mostKept = 4000
 
--- | The story of the pixel at a column and a row of a scene's picture, counted from 0 at the top left; 'Nothing' outside of the picture. Given the pictures and models
--- that the scene uses, and the names of the models' files by their numbers in the library.
+-- | The story of the pixel at a column and a row of a scene's picture, counted from 0 at the top left; 'Nothing'
+-- outside of the picture. Given the pictures and models that the scene uses, and the names of the models' files by
+-- their numbers in the library.
 --
 -- Law: its colour is the one that 'Dioptre.Render.Row.colourAt' has, to the bit.
 --
--- Cost: that of rendering the pixel, and for each ray whose encounters are looked at, an equation for every shape, up to 'mostTried' of them.
+-- Cost: that of rendering the pixel, and for each ray whose encounters are looked at, an equation for every shape, up
+-- to 'mostTried' of them.
 --
 -- Spec: cli.explain.
 tell :: Assets -> [Text] -> Library Texture -> Scene -> Int -> Int -> Maybe Story
@@ -203,8 +207,8 @@ litColour (Lit r g b _ _) = Colour r g b 1
 -------------------------------------------------------------------------------
 -- Encounters
 
--- | What a ray was tried on, given what it meets first and how many rays were followed before it: the encounters told, how many shapes were left out as the ray's line does not
--- meet them, and how many were not looked at.
+-- | What a ray was tried on, given what it meets first and how many rays were followed before it: the encounters told,
+-- how many shapes were left out as the ray's line does not meet them, and how many were not looked at.
 encounters :: Setting -> Int -> Ray -> Double -> Int -> ([Encounter], Int, Int)
 encounters setting before r t number
   | toInteger (before + 1) * toInteger size > toInteger mostTried =
@@ -301,7 +305,8 @@ arrivalOf setting p way
     between = obstacles (stageWorld (stageOf setting)) shadow distance'
     distance' = fromMaybe farthest (approachDistance way)
 
--- | What lets nothing through on the way of a shadow ray, and where: the nearest such shape, or, behind transparent ones, the first in number.
+-- | What lets nothing through on the way of a shadow ray, and where: the nearest such shape, or, behind transparent
+-- ones, the first in number.
 blocker :: Setting -> Ray -> Double -> Maybe (Thing, Double)
 blocker setting shadow bound = case closest w shadow bound of
   Closest t i _

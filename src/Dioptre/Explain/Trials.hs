@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Explain.Trials
 -- Description : The shapes that a ray was tried on, in words
 --
--- Each with its equation, its coefficients and roots, and what became of them; many of them shortened to the nearest few and to how many the others are.
+-- Each with its equation, its coefficients and roots, and what became of them; many of them shortened to the nearest
+-- few and to how many the others are.
 module Dioptre.Explain.Trials
   ( trialsText,
     missesText,

@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Explain.Wording
 -- Description : The story of a pixel in words, English and French
 --
--- For a person to read, on a screen: the answer first, then how it comes about. What is long is shortened, and says so: of many shapes the nearest few are told and the others counted, and so it
--- is with rays and samples. "Dioptre.Explain.Json" has every ray and sample.
+-- For a person to read, on a screen: the answer first, then how it comes about. What is long is shortened, and says so:
+-- of many shapes the nearest few are told and the others counted, and so it is with rays and samples.
+-- "Dioptre.Explain.Json" has every ray and sample.
 module Dioptre.Explain.Wording
   ( storyText,
   )
@@ -76,7 +77,8 @@ raysCast = raytracerSampling . storyRaytracer
 samplesTold :: Int
 samplesTold = 2
 
--- | How many rays of a sample are told in full, how many more in a line each, and how many at the end, where their contributions are added.
+-- | How many rays of a sample are told in full, how many more in a line each, and how many at the end, where their
+-- contributions are added.
 raysTold, raysListed, raysAdded :: Int
 raysTold = 4
 raysListed = 12

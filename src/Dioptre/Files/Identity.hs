@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Files.Identity
 -- Description : Whether two paths lead to one file
 --
--- One file has many paths: @x@ and @.\/x@, links to it, names that share it. What tells is the file itself: a device, and a number there.
+-- One file has many paths: @x@ and @.\/x@, links to it, names that share it. What tells is the file itself: a device,
+-- and a number there.
 --
 -- Sources: POSIX.1-2017, @stat()@
 -- (<https://pubs.opengroup.org/onlinepubs/9699919799/functions/stat.html>).
@@ -27,7 +28,8 @@ type Identity = (DeviceID, FileID)
 identity :: FilePath -> IO (Maybe Identity)
 identity path = fmap identityOf <$> status path
 
--- | Of these paths, the first that leads to the same file as a path does. What is no file with contents of its own, as a terminal, is the same as none.
+-- | Of these paths, the first that leads to the same file as a path does. What is no file with contents of its own, as
+-- a terminal, is the same as none.
 --
 -- Law: where it finds none, writing to the path leaves what is read at the others as it is.
 --

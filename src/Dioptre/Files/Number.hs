@@ -128,7 +128,8 @@ writeNumbered ::
   FilePath -> Text -> PictureNumber -> Lazy.ByteString -> IO (Either NumberingFault (FilePath, PictureNumber))
 writeNumbered = writeNumberedBy createLink
 
--- | What would prevent 'writeNumbered' from writing a picture, as far as can be known before there is one. Everything stays as it is.
+-- | What would prevent 'writeNumbered' from writing a picture, as far as can be known before there is one. Everything
+-- stays as it is.
 numberingObstacle :: FilePath -> Text -> PictureNumber -> IO (Maybe NumberingFault)
 numberingObstacle folder name first
   | not (canName name) = pure (Just (UnusableName name))

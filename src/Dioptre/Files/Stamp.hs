@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Files.Stamp
 -- Description : Whether a file is still what it was
 --
--- Reading a file again tells, but a stamp is cheaper: which file it is, how long, and written when. Who writes to it changes that, except within one tick of the file system's clock and to the same length.
+-- Reading a file again tells, but a stamp is cheaper: which file it is, how long, and written when. Who writes to it
+-- changes that, except within one tick of the file system's clock and to the same length.
 module Dioptre.Files.Stamp
   ( Stamp,
     stampOf,

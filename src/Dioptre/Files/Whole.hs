@@ -86,8 +86,8 @@ writeWhole path bytes =
     writeTo :: IO Handle -> IO ()
     writeTo open = bracket open hClose (`Lazy.hPut` bytes)
 
--- | What would prevent 'writeWhole' from writing a file, as far as can be known before there is anything to write: the folder is not there or takes no new
--- file, or the file may not be written. Everything stays as it is.
+-- | What would prevent 'writeWhole' from writing a file, as far as can be known before there is anything to write: the
+-- folder is not there or takes no new file, or the file may not be written. Everything stays as it is.
 writingObstacle :: FilePath -> IO (Maybe FileFault)
 writingObstacle path =
   fmap (either Just (const Nothing)) . orFault path $ do
@@ -107,7 +107,8 @@ writingObstacle path =
 readWhole :: FilePath -> IO (Either FileFault ByteString)
 readWhole path = readThat path $ \status -> Right (if isRegularFile status then mostOfFile else mostOfStream)
 
--- | The same for a file that is named in another, where pipes and devices are refused: nobody can mean them there, and they might never end, or never begin.
+-- | The same for a file that is named in another, where pipes and devices are refused: nobody can mean them there, and
+-- they might never end, or never begin.
 readPlain :: FilePath -> IO (Either FileFault ByteString)
 readPlain path = readThat path $ \status ->
   if isRegularFile status || isDirectory status then Right mostOfFile else Left (FileFault path NotAPlainFile)

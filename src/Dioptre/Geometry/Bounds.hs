@@ -69,7 +69,8 @@ ofShape shape = case shape of
     onCorners t = let Corners a b c = trianglePoints t in ofTriangle a b c
     onAxis r make = make (axisStart (roundAxis r)) (axisEnd (roundAxis r)) (roundRadius r)
 
--- | How far a disk reaches from its centre along each axis: R sqrt (1 - n_i^2). (The axis less its part along n has that length, and points to the farthest point.)
+-- | How far a disk reaches from its centre along each axis: R sqrt (1 - n_i^2). (The axis less its part along n has
+-- that length, and points to the farthest point.)
 reach :: Unit -> Double -> V3 Double
 reach n radius = (\c -> radius * sqrt (larger ((1 - c) * (1 + c)) 0)) <$> vector n
 
@@ -105,13 +106,15 @@ ofCone p1 p2 radius = enlarged (around p1 extent `union` ofPoints p2 [])
 ofTorus :: Point -> Unit -> Double -> Double -> Box
 ofTorus p n major minor = enlarged (around p ((+ minor) <$> reach n major))
 
--- | Of the cap over the disk around P with normal n and radius R, with signed radius of curvature c: the disk's, and that of the disk moved to the cap's top.
+-- | Of the cap over the disk around P with normal n and radius R, with signed radius of curvature c: the disk's, and
+-- that of the disk moved to the cap's top.
 ofCap :: Point -> Unit -> Double -> Double -> Box
 ofCap p n radius curvature = enlarged (around p extent `union` around (p + faceDepth radius curvature *^ vector n) extent)
   where
     extent = reach n radius
 
--- | Of the lens from P1 to P2 with radius R and signed radii of curvature c1 and c2: the cylinder's between the tops of the faces that bulge outwards.
+-- | Of the lens from P1 to P2 with radius R and signed radii of curvature c1 and c2: the cylinder's between the tops of
+-- the faces that bulge outwards.
 ofLens :: Point -> Point -> Double -> (Double, Double) -> Box
 ofLens p1 p2 radius (c1, c2) = case unit (p2 - p1) of
   Just s -> ofTube (p1 - bulge c1 *^ vector s) (p2 + bulge c2 *^ vector s) radius
@@ -119,11 +122,12 @@ ofLens p1 p2 radius (c1, c2) = case unit (p2 - p1) of
   where
     bulge c = larger (faceDepth radius c) 0
 
--- Note [How much larger]
--- ~~~~~~~~~~~~~~~~~~~~~~
--- A point of a sphere, as it is computed, is on a sphere whose squared radius is off by the rounding of |w|^2, w being the way from the centre to the ray's origin (Dioptre.Geometry.Sphere,
--- Note [Far spheres]): the radius by 2^-53 (|w| / R)^2 of itself, and the point by 2^-52 |w| more when it is computed from its parameter. For |w| = 2^14 R that is
--- 2^-25 R and 2^-38 R. All other shapes do better. A box that is larger by 2^-20 of its longest edge thus holds every point as it is computed, from up to 2^14 sizes away, and meets a
--- millionth more rays, which costs nothing.
+-- Note [How much larger] ~~~~~~~~~~~~~~~~~~~~~~ A point of a sphere, as it is computed, is on a sphere whose squared
+-- radius is off by the rounding of |w|^2, w being the way from the centre to the ray's origin (Dioptre.Geometry.Sphere,
+-- Note [Far spheres]): the radius by 2^-53 (|w| / R)^2 of itself, and the point by 2^-52 |w| more when it is computed
+-- from its parameter. For |w| = 2^14 R that is 2^-25 R and 2^-38 R. All other shapes do better. A box that is larger by
+-- 2^-20 of its longest edge thus holds every point as it is computed, from up to 2^14 sizes away, and meets a millionth
+-- more rays, which costs nothing.
 --
--- The second term is for shapes far from the origin of the world: the corners themselves are sums, rounded by 2^-53 of the coordinates.
+-- The second term is for shapes far from the origin of the world: the corners themselves are sums, rounded by 2^-53 of
+-- the coordinates.

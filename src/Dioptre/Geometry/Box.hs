@@ -20,7 +20,8 @@
 --
 -- Sources:
 --
--- * Th. Ize, /Robust BVH Ray Traversal/, JCGT 2(2) (2013), <https://jcgt.org/published/0002/02/02/>: the slack, and what becomes of NaN.
+-- * Th. Ize, /Robust BVH Ray Traversal/, JCGT 2(2) (2013), <https://jcgt.org/published/0002/02/02/>: the slack, and
+--   what becomes of NaN.
 -- * J. Arvo, /Transforming Axis-Aligned Bounding Boxes/, Graphics Gems (1990).
 module Dioptre.Geometry.Box
   ( -- * Boxes
@@ -130,8 +131,8 @@ transformed m b = enlarged (ofPoints (corner V3 boxLow boxLow boxLow) [corner V3
 -------------------------------------------------------------------------------
 -- Rays
 
--- | A ray made ready to be tested against many boxes: its origin; one over each component of its direction, and the same a little larger; and the place, in the six numbers of
--- a box, of the face that it meets first in each coordinate.
+-- | A ray made ready to be tested against many boxes: its origin; one over each component of its direction, and the
+-- same a little larger; and the place, in the six numbers of a box, of the face that it meets first in each coordinate.
 data Approach = Approach {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Packed {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int
   deriving stock (Eq, Show)
 
@@ -154,12 +155,14 @@ runsDown (Approach _ _ _ fx fy fz) coordinate = case coordinate of
   _ -> fz >= 3
 {-# INLINE runsDown #-}
 
--- | Whether a ray comes into a box, not beyond the given parameter. The box is given as six numbers, by their places: low x, y, z, high x, y, z.
+-- | Whether a ray comes into a box, not beyond the given parameter. The box is given as six numbers, by their places:
+-- low x, y, z, high x, y, z.
 --
--- Laws: if o + t d is in the box for some t from 0 to the given parameter, exactly, then it says so. If it says so, the ray meets the box when that is enlarged by some 2^-48 of
--- its distance.
+-- Laws: if o + t d is in the box for some t from 0 to the given parameter, exactly, then it says so. If it says so, the
+-- ray meets the box when that is enlarged by some 2^-48 of its distance.
 --
--- Cost: six products, and comparisons of which a box that is met takes all, and one that is missed hardly ever more than half. See Note [Comparing in pairs].
+-- Cost: six products, and comparisons of which a box that is met takes all, and one that is missed hardly ever more
+-- than half. See Note [Comparing in pairs].
 meets :: Approach -> (Int -> Double) -> Double -> Bool
 meets (Approach o i j fx fy fz) face !far
   | enterX > leaveY || enterY > leaveX = False
@@ -180,19 +183,19 @@ meets (Approach o i j fx fy fz) face !far
     !bound = far * (1 + slabSlack)
 {-# INLINE meets #-}
 
--- Note [Comparing in pairs]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~
--- Between the two faces of one coordinate a ray is in an interval of its parameter; it is in the box where all three intervals and [0, far] overlap. The usual program takes the
--- greatest of the entries and the least of the exits, and compares these two: each of the four choices is a branch that goes either way as often as not, and a processor that guesses
--- wrong loses the time of the whole test. Intervals of a line overlap all together if they overlap two by two (Helly's theorem in one dimension), and so the test asks of each
+-- Note [Comparing in pairs] ~~~~~~~~~~~~~~~~~~~~~~~~~ Between the two faces of one coordinate a ray is in an interval
+-- of its parameter; it is in the box where all three intervals and [0, far] overlap. The usual program takes the
+-- greatest of the entries and the least of the exits, and compares these two: each of the four choices is a branch that
+-- goes either way as often as not, and a processor that guesses wrong loses the time of the whole test. Intervals of a
+-- line overlap all together if they overlap two by two (Helly's theorem in one dimension), and so the test asks of each
 -- entry whether it is beyond each other exit. All of these branches go one way until one of them ends the test.
 --
 -- The entry and the exit of one and the same coordinate need no comparison: the box's corners are in order.
 --
--- Note [Slack of the slabs]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~
--- The parameter at which a ray crosses a face, (l - o) / d, is computed as (l - o) * (1 / d): three roundings, a relative error of at most 3.01 eps, eps = 2^-53. If the ray is in the box at
--- some t with 0 <= t <= far, then exactly entry_i <= t <= exit_j for all i and j, and t >= 0; and as computed
+-- Note [Slack of the slabs] ~~~~~~~~~~~~~~~~~~~~~~~~~ The parameter at which a ray crosses a face, (l - o) / d, is
+-- computed as (l - o) * (1 / d): three roundings, a relative error of at most 3.01 eps, eps = 2^-53. If the ray is in
+-- the box at some t with 0 <= t <= far, then exactly entry_i <= t <= exit_j for all i and j, and t >= 0; and as
+-- computed
 --
 --   entry_i <= max 0 (t (1 + 3.01 eps)),  t (1 - 3.01 eps) <= exit_j.
 --
@@ -200,8 +203,10 @@ meets (Approach o i j fx fy fz) face !far
 --
 --   exit_j >= t (1 - 4.01 eps) (1 + 8 eps) > t (1 + 3.9 eps) > t (1 + 3.01 eps) >= entry_i,
 --
--- and far gets the same factor. (Ize uses the single factor 1 + 2 gamma(3) for the same reason.) An exit's sign is exact, and so is the answer to whether the box is behind.
+-- and far gets the same factor. (Ize uses the single factor 1 + 2 gamma(3) for the same reason.) An exit's sign is
+-- exact, and so is the answer to whether the box is behind.
 --
--- If d = 0, the reciprocal is infinite, of either sign. The products are then infinite and say, correctly, that the ray is between the faces always or never; or NaN, for a ray along a
--- face, for which every comparison is false, so that it takes nothing away: a ray along a face is between the pair. Where 1 / d overflows, |d| < 2^-1024, the ray counts as one with d = 0; no scene
--- reaches the parameters where it would tell.
+-- If d = 0, the reciprocal is infinite, of either sign. The products are then infinite and say, correctly, that the ray
+-- is between the faces always or never; or NaN, for a ray along a face, for which every comparison is false, so that it
+-- takes nothing away: a ray along a face is between the pair. Where 1 / d overflows, |d| < 2^-1024, the ray counts as
+-- one with d = 0; no scene reaches the parameters where it would tell.

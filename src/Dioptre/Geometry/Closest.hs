@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Geometry.Closest
 -- Description : What a ray meets first
 --
--- The answer to the question that a ray tracer asks most, as it grows while shapes are tried: the least parameter so far, and whose it is. Shapes may be tried in
--- any order: of several at one parameter it is the one with the lowest number, so that the answer depends on the shapes alone.
+-- The answer to the question that a ray tracer asks most, as it grows while shapes are tried: the least parameter so
+-- far, and whose it is. Shapes may be tried in any order: of several at one parameter it is the one with the lowest
+-- number, so that the answer depends on the shapes alone.
 module Dioptre.Geometry.Closest
   ( Closest (..),
     below,
@@ -18,7 +19,8 @@ where
 
 import Dioptre.Math.Tolerance (boundSlack)
 
--- | What was met first among the shapes that were tried. The plain three numbers stay in registers while shapes are tried.
+-- | What was met first among the shapes that were tried. The plain three numbers stay in registers while shapes are
+-- tried.
 data Closest = Closest
   { -- | The parameter; the bound that was set where nothing is met below it.
     closestParameter :: {-# UNPACK #-} !Double,
@@ -47,8 +49,8 @@ slightlyBeyond :: Double -> Double
 slightlyBeyond t = t * (1 + boundSlack)
 {-# INLINE slightlyBeyond #-}
 
--- | Whether a shape that is met at a parameter comes before another, given by its parameter and number too: it is nearer,
--- or as near and of a lower number.
+-- | Whether a shape that is met at a parameter comes before another, given by its parameter and number too: it is
+-- nearer, or as near and of a lower number.
 --
 -- Law: what comes before all others does not depend on the order in which they are tried.
 --

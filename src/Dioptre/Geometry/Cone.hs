@@ -13,8 +13,8 @@
 -- >         |_/
 -- >       a = -H   0
 --
--- Measured from the apex P2, with a the height on the axis (negative towards the base), the cone's curved surface is part of
--- the double cone |w_perp|^2 = k^2 a^2, on whose points the ray w + t d has
+-- Measured from the apex P2, with a the height on the axis (negative towards the base), the cone's curved surface is
+-- part of the double cone |w_perp|^2 = k^2 a^2, on whose points the ray w + t d has
 --
 -- > A = <d_perp, d_perp> - (k da)^2,  B = 2 (<w_perp, d_perp> - (k da) (k a)),  C = <w_perp, w_perp> - (k a)^2
 --
@@ -28,8 +28,9 @@
 -- >       V               . \/\              /x\           the first root and from the second one on, and only one of these
 -- >      / \                /  \            / | \          halves is before the apex: the first where da > 0.
 --
--- What the line shares with the slab -H <= a <= 0 is then the one interval in which it is in the cone. Note [Near the apex] says why
--- the ray is first moved next to the apex, and Note [Flat cones] why a cone that is much wider than high has equations of its own.
+-- What the line shares with the slab -H <= a <= 0 is then the one interval in which it is in the cone. Note [Near the
+-- apex] says why the ray is first moved next to the apex, and Note [Flat cones] why a cone that is much wider than high
+-- has equations of its own.
 module Dioptre.Geometry.Cone
   ( -- * Intersecting
     coneParameters,
@@ -61,10 +62,11 @@ import GHC.Exts (build)
 -- >>> import Dioptre.Geometry.Ray (ray)
 -- >>> import Linear.V3 (V3 (..))
 
--- | Where a ray's line meets the cone with a base of radius R around P1 and its apex at P1 + H S: where it enters and where it leaves, or nothing.
+-- | Where a ray's line meets the cone with a base of radius R around P1 and its apex at P1 + H S: where it enters and
+-- where it leaves, or nothing.
 --
--- Laws: a point strictly between the two is inside, and a point outside them is not; the cone beyond the apex is not there; a ray
--- through the apex that is less inclined to the axis than the surface is meets it.
+-- Laws: a point strictly between the two is inside, and a point outside them is not; the cone beyond the apex is not
+-- there; a ray through the apex that is less inclined to the axis than the surface is meets it.
 --
 -- Spec: geometry.cone.interval, geometry.cone.beyond-apex, geometry.cone.apex.
 coneParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
@@ -77,7 +79,8 @@ coneParameters p1 s h radius r = build $ \cons nil ->
    in if first <= final && inside < infinity then cons enter (cons leave nil) else nil
 {-# INLINE coneParameters #-}
 
--- | The parameter t0 of a point of the line next to the apex and a unit u; and, for s in the parameter t0 + u s, where the line is in the cone before the apex and where it is between the base and the apex.
+-- | The parameter t0 of a point of the line next to the apex and a unit u; and, for s in the parameter t0 + u s, where
+-- the line is in the cone before the apex and where it is between the base and the apex.
 data Crossing = Crossing !Double !Double !Interval !Interval
 
 crossing :: Point -> Unit -> Double -> Double -> Ray -> Crossing
@@ -123,7 +126,8 @@ isFlatCone :: Double -> Double -> Bool
 isFlatCone h radius = radius > 32 * h
 {-# INLINE isFlatCone #-}
 
--- | Whether a line is steep for such a cone: |k da| > 2 |d|, so that it goes through the cone from its base to the other side. Given \<d, d> and da.
+-- | Whether a line is steep for such a cone: |k da| > 2 |d|, so that it goes through the cone from its base to the
+-- other side. Given \<d, d> and da.
 isSteep :: Double -> Double -> Double -> Double -> Bool
 isSteep h radius dd da = abs da * radius > 2 * h * sqrt dd
 {-# INLINE isSteep #-}
@@ -145,8 +149,9 @@ half equation@(Quadratic a b c) da = case rootsOf equation of
     | otherwise -> nowhere
 {-# INLINE half #-}
 
--- | The outward unit normal where a ray meets the cone, at a parameter that 'coneParameters' gave: -S on the base; on the curved part
--- e + k S made unit, with e the unit vector away from the axis; S at the apex. On the rim it is the curved part's.
+-- | The outward unit normal where a ray meets the cone, at a parameter that 'coneParameters' gave: -S on the base; on
+-- the curved part e + k S made unit, with e the unit vector away from the axis; S at the apex. On the rim it is the
+-- curved part's.
 --
 -- The gradient of |w_perp|^2 - k^2 a^2 is 2 (w_perp - k^2 a S), and w_perp = -k a e on the cone.
 --
@@ -165,8 +170,8 @@ coneSideNormal p1 s h radius v = maybe s slanted (unit (across s (v - p1)))
   where
     slanted e = fromMaybe s (unit (vector e + (radius / h) *^ vector s))
 
--- | Whether a point is inside the cone: farther than 'endThickness' from the planes of the base and of the apex, and nearer to the axis than
--- (1 - 'roundThickness') (1 - h\/H) R at its height h. A point on the surface is not.
+-- | Whether a point is inside the cone: farther than 'endThickness' from the planes of the base and of the apex, and
+-- nearer to the axis than (1 - 'roundThickness') (1 - h\/H) R at its height h. A point on the surface is not.
 --
 -- Spec: geometry.cone.contains.
 coneContains :: Point -> Unit -> Double -> Double -> Point -> Bool
@@ -178,8 +183,8 @@ coneContains p1 s h radius v =
     w = v - p1
     height = dot w (vector s)
 
--- | Where a ray's line meets the unbounded double cone that has its apex at a point and passes at a radius around another, on both sides of the apex:
--- every real parameter, ascending. None if the two points are equal.
+-- | Where a ray's line meets the unbounded double cone that has its apex at a point and passes at a radius around
+-- another, on both sides of the apex: every real parameter, ascending. None if the two points are equal.
 --
 -- > A t^2 + B t + C = 0,  with g = apex - point, w = o - apex:
 -- > A = <g,g> <d x g, d x g> - (R <d,g>) (R <d,g>)
@@ -213,27 +218,28 @@ conesParameters point apex radius r =
     wg = cross fromApex g
     dg = cross (direction r) g
 
--- Note [Near the apex]
--- ~~~~~~~~~~~~~~~~~~~~
--- C is a difference of squares of the size of |w|^2, so it carries an error of some 2^-52 |w|^2. Where the apex is crossed, the two roots are nearly
--- equal, and an error of 2^-52 |w|^2 under the square root moves them by 2^-26 |w|: from a distance of a thousand units an apex would be frayed by
--- a hundred thousandth of a unit, and a ray aimed at it might not find it. With the ray moved by t0 = -<w, d> / <d, d> to
--- its point nearest to the apex, w carries the rounding of a position, 2^-52 of the distance, and |w| is no more than the line's distance from the apex:
--- all errors that follow are relative to that. The parameters are t0 plus the roots, in the order of the roots, since rounding
--- a sum does not reverse an order.
+-- Note [Near the apex] ~~~~~~~~~~~~~~~~~~~~ C is a difference of squares of the size of |w|^2, so it carries an error
+-- of some 2^-52 |w|^2. Where the apex is crossed, the two roots are nearly equal, and an error of 2^-52 |w|^2 under the
+-- square root moves them by 2^-26 |w|: from a distance of a thousand units an apex would be frayed by a hundred
+-- thousandth of a unit, and a ray aimed at it might not find it. With the ray moved by t0 = -<w, d> / <d, d> to its
+-- point nearest to the apex, w carries the rounding of a position, 2^-52 of the distance, and |w| is no more than the
+-- line's distance from the apex: all errors that follow are relative to that. The parameters are t0 plus the roots, in
+-- the order of the roots, since rounding a sum does not reverse an order.
 
--- Note [Flat cones]
--- ~~~~~~~~~~~~~~~~~
--- Let rho be the distance from the axis at which a line passes the plane of the apex, and k = R / H large. The line goes through the thin body at about rho from the axis, whatever its
--- inclination, unless that is below 1 / k or so. Its two roots are 2 rho / k |da| apart, and their difference is the root of
+-- Note [Flat cones] ~~~~~~~~~~~~~~~~~ Let rho be the distance from the axis at which a line passes the plane of the
+-- apex, and k = R / H large. The line goes through the thin body at about rho from the axis, whatever its inclination,
+-- unless that is below 1 / k or so. Its two roots are 2 rho / k |da| apart, and their difference is the root of
 --
 -- > (B^2 - 4 A C) / 4 = |k (a d_perp - da w_perp)|^2 - |w_perp x d_perp|^2
 --
--- whose first part is (k da rho)^2. But B^2 / 4 and A C are as large as (k da)^2 (k a)^2, with a the height of the point nearest to the apex, which for an inclined line is no less than a part of rho.
--- Their rounding, 2^-53 of that, is the part 2^-53 k^2 of their difference: the line is taken for one at rho (1 +- 2^-54 k^2). For k = 2^20 that is the rim off by 2^-14, more than a box is larger than its shape; from k = 2^26 on
--- the sign of the discriminant is noise, and a line is met wherever the slab is, or nowhere.
+-- whose first part is (k da rho)^2. But B^2 / 4 and A C are as large as (k da)^2 (k a)^2, with a the height of the
+-- point nearest to the apex, which for an inclined line is no less than a part of rho. Their rounding, 2^-53 of that,
+-- is the part 2^-53 k^2 of their difference: the line is taken for one at rho (1 +- 2^-54 k^2). For k = 2^20 that is
+-- the rim off by 2^-14, more than a box is larger than its shape; from k = 2^26 on the sign of the discriminant is
+-- noise, and a line is met wherever the slab is, or nowhere.
 --
--- So where the cone is flat, R > 32 H, and the line steep, |k da| > 2 |d|, it is moved to the plane of the apex instead:
+-- So where the cone is flat, R > 32 H, and the line steep, |k da| > 2 |d|, it is moved to the plane of the apex
+-- instead:
 --
 -- > a = 0,  t0 = -<far, S> / da,  w = far + t0 d = w_perp
 --
@@ -242,21 +248,24 @@ conesParameters point apex radius r =
 -- > |w_perp + u D|^2 <= (u da)^2      A = <D, D> - da^2,  B = 2 <w_perp, D>,  C = <w_perp, w_perp>
 -- > -H <= a <= 0                      -R <= u da <= 0
 --
--- Since |D| <= q |d| < |da| / 2, A is between -da^2 and -3/4 da^2, and C is not negative: the discriminant is a sum, B^2 + 4 |A| C, and nothing cancels. One root is at most 0 and the other at least 0; the one with u da <= 0 is before
--- the apex, and is what 'half' takes: the first for da > 0, where the line is in the cone up to it, and the second otherwise. As H vanishes, D does, the roots become +-rho / |da|, and the line is met where rho <= R: a disk.
+-- Since |D| <= q |d| < |da| / 2, A is between -da^2 and -3/4 da^2, and C is not negative: the discriminant is a sum,
+-- B^2 + 4 |A| C, and nothing cancels. One root is at most 0 and the other at least 0; the one with u da <= 0 is before
+-- the apex, and is what 'half' takes: the first for da > 0, where the line is in the cone up to it, and the second
+-- otherwise. As H vanishes, D does, the roots become +-rho / |da|, and the line is met where rho <= R: a disk.
 --
--- At both limits the two ways agree to their rounding: for k = 32, 2^-54 k^2 is 2^-44; and for |k da| = 2 |d|, q |d| / |da| = 1/2, the numbers of both are of one size. The point moved to is as far from the apex as
--- the line's height there is known, 2^-52 of the distance |far|, times |d| / |da|, which is less than k / 2. The parameters of a cone that is not flat, or of a line that is not steep, are as they
--- always were, bit for bit.
+-- At both limits the two ways agree to their rounding: for k = 32, 2^-54 k^2 is 2^-44; and for |k da| = 2 |d|, q |d| /
 
--- Note [Halves]
--- ~~~~~~~~~~~~~
--- A < 0: B^2 - 4 A C is never negative (a line with that direction must come out of one cone and go into the other, or pass through the apex), but
--- rounding may make it so next to the apex. There are no roots then, the line passes through the apex to rounding, and the slab alone decides: everywhere.
+-- | da| = 1/2, the numbers of both are of one size. The point moved to is as far from the apex as the line's height
+--  there is known, 2^-52 of the distance |far|, times |d| / |da|, which is less than k / 2. The parameters of a cone
+--  that is not flat, or of a line that is not steep, are as they always were, bit for bit.
+
+-- Note [Halves] ~~~~~~~~~~~~~ A < 0: B^2 - 4 A C is never negative (a line with that direction must come out of one
+-- cone and go into the other, or pass through the apex), but rounding may make it so next to the apex. There are no
+-- roots then, the line passes through the apex to rounding, and the slab alone decides: everywhere.
 --
--- A = 0: the line is in the cone from its root on where B < 0, and up to it otherwise. The cone that it is in is before the apex where B and da are of one
--- sign, and where it is not, it shares no more than a rounding with the slab. With B = 0, too, the line is the apex's
--- tangent: in the surface, or outside.
+-- A = 0: the line is in the cone from its root on where B < 0, and up to it otherwise. The cone that it is in is before
+-- the apex where B and da are of one sign, and where it is not, it shares no more than a rounding with the slab. With B
+-- = 0, too, the line is the apex's tangent: in the surface, or outside.
 --
--- A root that is missing because it is too large for a double leaves [x], and the sign of B tells on which side of x it is missing, the same as for
--- A = 0.
+-- A root that is missing because it is too large for a double leaves [x], and the sign of B tells on which side of x it
+-- is missing, the same as for A = 0.

@@ -75,8 +75,8 @@ cubeParameters (V3 cx cy cz) !h r = build $ \cons nil ->
         else nil
 {-# INLINE cubeParameters #-}
 
--- | The outward normal of the face that a ray crosses at a parameter that 'cubeParameters' gave. On an edge, where it crosses
--- several at once, it is the first one's in the order +z -z +y -y +x -x.
+-- | The outward normal of the face that a ray crosses at a parameter that 'cubeParameters' gave. On an edge, where it
+-- crosses several at once, it is the first one's in the order +z -z +y -y +x -x.
 --
 -- Spec: geometry.cube.normal.
 cubeNormal :: Point -> Double -> Ray -> Double -> Unit
@@ -92,8 +92,8 @@ cubeNormal (V3 cx cy cz) !h !r !t
     V3 dx dy dz = direction r
     crosses face o d = d /= 0 && (face - o) / d == t
 
--- | Whether a point is inside the cube around C with half size h: in each coordinate nearer than (1 - 'surfaceThickness') h. A point
--- on a face is not.
+-- | Whether a point is inside the cube around C with half size h: in each coordinate nearer than (1 -
+-- 'surfaceThickness') h. A point on a face is not.
 --
 -- Spec: geometry.cube.contains.
 cubeContains :: Point -> Double -> Point -> Bool

@@ -35,8 +35,8 @@ import Dioptre.Math.Tolerance (endThickness, roundThickness)
 import Dioptre.Math.Vector (Point, Unit, Vector, dot, modulus, opposite, vector)
 import GHC.Exts (build)
 
--- | Where w_perp + t d_perp is no longer than R: between the roots of the tube. A line along the axis is in the bar everywhere or nowhere, and
--- in it when it lies in its surface.
+-- | Where w_perp + t d_perp is no longer than R: between the roots of the tube. A line along the axis is in the bar
+-- everywhere or nowhere, and in it when it lies in its surface.
 --
 -- Spec: geometry.cylinder.interval, geometry.cylinder.along-axis.
 bar :: Double -> Vector -> Vector -> Interval
@@ -49,10 +49,11 @@ bar radius wPerp dPerp = case rootsOf equation of
     equation@(Quadratic _ _ c) = circle radius wPerp dPerp
 {-# INLINE bar #-}
 
--- | Where a ray's line meets the cylinder from P1 along the unit axis S, of length H and radius R: where it enters and where it leaves, or nothing.
+-- | Where a ray's line meets the cylinder from P1 along the unit axis S, of length H and radius R: where it enters and
+-- where it leaves, or nothing.
 --
--- Laws: a point strictly between the two is inside, and a point outside them is not; a parameter on the curved part is one that
--- the tube has, bit for bit.
+-- Laws: a point strictly between the two is inside, and a point outside them is not; a parameter on the curved part is
+-- one that the tube has, bit for bit.
 --
 -- Spec: geometry.cylinder.interval.
 cylinderParameters :: Point -> Unit -> Double -> Double -> Ray -> [Double]
@@ -73,8 +74,8 @@ between :: Point -> Unit -> Double -> Ray -> Interval
 between p1 s h r = slab 0 h (dot (origin r - p1) (vector s)) (dot (direction r) (vector s))
 {-# INLINE between #-}
 
--- | The outward unit normal where a ray meets the cylinder, at a parameter that 'cylinderParameters' gave: the tube's, or S or -S on an end. On a rim,
--- where the line crosses both parts at once, it is the tube's.
+-- | The outward unit normal where a ray meets the cylinder, at a parameter that 'cylinderParameters' gave: the tube's,
+-- or S or -S on an end. On a rim, where the line crosses both parts at once, it is the tube's.
 --
 -- Spec: geometry.cylinder.normal.
 cylinderNormal :: Point -> Unit -> Double -> Double -> Ray -> Double -> Unit
@@ -86,8 +87,8 @@ cylinderNormal p1 s h radius r t
     Interval enter leave = curvedPart p1 s radius r
     Interval near _ = between p1 s h r
 
--- | Whether a point is inside the cylinder: nearer to the axis than (1 - 'roundThickness') R, and farther than 'endThickness' from both end planes.
--- A point on the surface is not.
+-- | Whether a point is inside the cylinder: nearer to the axis than (1 - 'roundThickness') R, and farther than
+-- 'endThickness' from both end planes. A point on the surface is not.
 --
 -- Spec: geometry.cylinder.contains.
 cylinderContains :: Point -> Unit -> Double -> Double -> Point -> Bool

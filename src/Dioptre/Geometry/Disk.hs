@@ -7,8 +7,8 @@
 -- > disk:     P-----|  R          the points of the plane with |r - P| <= R
 -- > annulus:  P  |--|  Ri, R      the points of the plane with Ri <= |r - P| <= R
 --
--- A disk is the part of its plane within a distance of its centre; the doughnut in a plane that question 1.8 asks for is the
--- part between two distances. Their rims belong to them.
+-- A disk is the part of its plane within a distance of its centre; the doughnut in a plane that question 1.8 asks for
+-- is the part between two distances. Their rims belong to them.
 module Dioptre.Geometry.Disk
   ( -- * Constructing
     Disk,

@@ -6,7 +6,8 @@
 -- Module      : Dioptre.Geometry.Handful
 -- Description : A few shapes, tried one after the other
 --
--- Boxes around only a few shapes would take as long as they save: a ray is tried on all of them. The numbers of spheres stand side by side, apart from the other shapes. See Note [Plain numbers].
+-- Boxes around only a few shapes would take as long as they save: a ray is tried on all of them. The numbers of spheres
+-- stand side by side, apart from the other shapes. See Note [Plain numbers].
 module Dioptre.Geometry.Handful
   ( Handful,
     handful,
@@ -63,7 +64,8 @@ closestInHandful h !r !bound = amongOthers 0 (-1) bound
   where
     !spheres = sizeofPrimArray (radiiSquared h)
     !rest = sizeofSmallArray (others h)
-    -- In the order of their numbers the first of several at one parameter is kept. Places are below the number of shapes.
+    -- In the order of their numbers the first of several at one parameter is kept. Places are below the number of
+    -- shapes.
     amongOthers :: Int -> Int -> Double -> Closest
     amongOthers !i !number !best
       | i >= rest = amongSpheres 0 number best
@@ -80,8 +82,9 @@ closestInHandful h !r !bound = amongOthers 0 (-1) bound
          in if precedes t mine best number then amongSpheres (i + 1) mine t else amongSpheres (i + 1) number best
 {-# NOINLINE closestInHandful #-}
 
--- | Goes through the shapes that a ray meets nearer than a bound, in a fixed order: for each, what to do with how many shapes have been tried, this one included, with its number, with the result so far, and
--- with the way to go on; in the end, what to do with how many there were in all and the result.
+-- | Goes through the shapes that a ray meets nearer than a bound, in a fixed order: for each, what to do with how many
+-- shapes have been tried, this one included, with its number, with the result so far, and with the way to go on; in the
+-- end, what to do with how many there were in all and the result.
 foldMet :: Handful -> Ray -> Double -> (Int -> Int -> a -> (a -> b) -> b) -> (Int -> a -> b) -> a -> b
 foldMet h !r !bound each end = amongSpheres 0
   where
@@ -104,11 +107,14 @@ sphereAt :: Handful -> Int -> (Point -> Double -> a) -> a
 sphereAt h !i ask = ask (V3 (indexPrimArray (centresX h) i) (indexPrimArray (centresY h) i) (indexPrimArray (centresZ h) i)) (indexPrimArray (radiiSquared h) i)
 {-# INLINE sphereAt #-}
 
--- Note [Plain numbers]
--- ~~~~~~~~~~~~~~~~~~~~
--- A shape in a vector is a pointer to a constructor of some kind. Before GHC 9.0 looks at it, it puts everything that the loop knows on the stack, and takes it back afterwards, since the
--- shape might not be computed yet; then it jumps by the kind. All of that takes as long as a sphere's equation. But spheres are what most small scenes are made of, and they are all alike: their
--- numbers are read from where they stand, coordinate by coordinate, so that one index serves all. Most are missed, which is the first thing that is asked, and the last before the next one's turn.
+-- Note [Plain numbers] ~~~~~~~~~~~~~~~~~~~~ A shape in a vector is a pointer to a constructor of some kind. Before GHC
+-- 9.0 looks at it, it puts everything that the loop knows on the stack, and takes it back afterwards, since the shape
+-- might not be computed yet; then it jumps by the kind. All of that takes as long as a sphere's equation. But spheres
+-- are what most small scenes are made of, and they are all alike: their numbers are read from where they stand,
+-- coordinate by coordinate, so that one index serves all. Most are missed, which is the first thing that is asked, and
+-- the last before the next one's turn.
 --
--- The loop needs fifteen numbers at once, and a processor has room for sixteen. So the search for what is closest is a function of its own ('closestInHandful'), which has no other numbers to keep; it gets the numbers of the ray and of
--- the shapes one by one (-fmax-worker-args, see Note [Numbers that travel] of "Dioptre.Render.Shade"), and makes nothing.
+-- The loop needs fifteen numbers at once, and a processor has room for sixteen. So the search for what is closest is a
+-- function of its own ('closestInHandful'), which has no other numbers to keep; it gets the numbers of the ray and of
+-- the shapes one by one (-fmax-worker-args, see Note [Numbers that travel] of "Dioptre.Render.Shade"), and makes
+-- nothing.

@@ -13,11 +13,12 @@
 -- >   | +--------+  +---+-+-+ |             4     5
 -- >   +-----------------------+             c     d
 --
--- A bounding-volume hierarchy: items, each in its box along the axes, are split in two, and again, until few are left; each part has the box of its
--- items. A ray that misses a box misses everything in it, and so the cost of a ray grows like the logarithm of the number of items.
+-- A bounding-volume hierarchy: items, each in its box along the axes, are split in two, and again, until few are left;
+-- each part has the box of its items. A ray that misses a box misses everything in it, and so the cost of a ray grows
+-- like the logarithm of the number of items.
 --
--- The hierarchy knows nothing of what the items are. It gives them an order, in which those of a leaf stand side by side, and 'descend' leads a ray
--- to them, those near its origin first.
+-- The hierarchy knows nothing of what the items are. It gives them an order, in which those of a leaf stand side by
+-- side, and 'descend' leads a ray to them, those near its origin first.
 --
 -- Items that have no box, such as planes, are held apart: every ray tries them.
 --
@@ -57,7 +58,9 @@ data Hierarchy = Hierarchy
     hierarchyOrder :: !(PrimArray Int),
     -- | How many items have no box.
     boxless :: {-# UNPACK #-} !Int,
-    -- | Eight words a node, which is a line of a processor's cache: six numbers, low x, y, z, high x, y, z; its link, which says where its parts or its items are; and the place of the first word of the fork that it is a part of (of the first node, its own).
+    -- | Eight words a node, which is a line of a processor's cache: six numbers, low x, y, z, high x, y, z; its link,
+    -- which says where its parts or its items are; and the place of the first word of the fork that it is a part of (of
+    -- the first node, its own).
     nodes :: {-# UNPACK #-} !ByteArray,
     -- | How many nodes there are.
     hierarchyNodes :: {-# UNPACK #-} !Int,
@@ -98,13 +101,16 @@ forkOver h node = indexByteArray (nodes h) (node + 7)
 -------------------------------------------------------------------------------
 -- Following a ray
 
--- | What a descent found, and how many items were in the ranges that it gave (all of them count, also where the first one was enough).
+-- | What a descent found, and how many items were in the ranges that it gave (all of them count, also where the first
+-- one was enough).
 data Tried found = Tried found !Int
 
--- | Leads a ray to the items that it may meet, near ones first where that is known; to those without a box first of all. What has been found so far says how far the ray still matters. Items are given in ranges: the first
--- place in 'hierarchyOrder', and the place behind the last.
+-- | Leads a ray to the items that it may meet, near ones first where that is known; to those without a box first of
+-- all. What has been found so far says how far the ray still matters. Items are given in ranges: the first place in
+-- 'hierarchyOrder', and the place behind the last.
 --
--- Law: every item is in one of the ranges that has no box, or whose box the ray meets no farther than what has been found when its turn comes.
+-- Law: every item is in one of the ranges that has no box, or whose box the ray meets no farther than what has been
+-- found when its turn comes.
 --
 -- Cost: a test of a box for each part that is not passed over whole. See Note [A trail instead of a stack].
 --
@@ -115,9 +121,11 @@ descend h a far range found0
   | otherwise = visit 0 (0 :: Word64) (far first) first (boxless h)
   where
     !first = if boxless h > 0 then range 0 (boxless h) found0 else found0
-    -- Places of nodes are within the array: 0 is, as there are any; the next node follows each fork; links and parents are nodes.
+    -- Places of nodes are within the array: 0 is, as there are any; the next node follows each fork; links and parents
+    -- are nodes.
     --
-    -- How far the ray matters is kept beside what was found: looking into a value that may be unevaluated, at each box, would make the loop save all its registers each time.
+    -- How far the ray matters is kept beside what was found: looking into a value that may be unevaluated, at each box,
+    -- would make the loop save all its registers each time.
     visit !node !trail !reach found !tried
       | not (meets a (faceOf h node) reach) = onward node trail reach found tried
       | isLeaf link =
@@ -157,8 +165,9 @@ hierarchy n boxOf
     bounded = filterPrimArray hasBox everything
     unbounded = filterPrimArray (not . hasBox) everything
     everything = generatePrimArray n id
-    -- Where there is no box, the six numbers are zero but for the first, which is infinite. A box that is infinite itself, as that of a shape whose size left the range on its way through nested frames, has no centre:
-    -- it counts as none.
+    -- Where there is no box, the six numbers are zero but for the first, which is infinite. A box that is infinite
+    -- itself, as that of a shape whose size left the range on its way through nested frames, has no centre: it counts
+    -- as none.
     hasBox i = all (\k -> abs (indexPrimArray boxes (6 * i + k)) < infinity) [0 .. 5]
     boxes = runPrimArray $ do
       target <- newPrimArray (6 * n)
@@ -186,13 +195,15 @@ toNodes faces links = runByteArray $ do
   where
     count = sizeofPrimArray links
 
--- Note [A trail instead of a stack]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- A ray that comes to a fork visits the near part now and the far part later. The usual program recurses, or keeps the far parts on a stack. In Haskell the recursion is not free: a local function that calls itself
--- other than last becomes a closure, which holds all that it uses, thirty numbers here, and is built anew for every ray. What calls itself last only is a loop in registers.
+-- Note [A trail instead of a stack] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ A ray that comes to a fork visits the near part
+-- now and the far part later. The usual program recurses, or keeps the far parts on a stack. In Haskell the recursion
+-- is not free: a local function that calls itself other than last becomes a closure, which holds all that it uses,
+-- thirty numbers here, and is built anew for every ray. What calls itself last only is a loop in registers.
 --
--- So what is still to be done is kept in one word: for each fork above the node, from the nearest on, a bit that says whether its other part is still to be visited. Entering a fork
--- shifts a 1 in; when a part is done, the way leads up over the zeros to the first 1, and to the other part there. The order of visits is that of the recursion, and the same boxes are tested; what it costs is a link from each node to
--- the fork above.
+-- So what is still to be done is kept in one word: for each fork above the node, from the nearest on, a bit that says
+-- whether its other part is still to be visited. Entering a fork shifts a 1 in; when a part is done, the way leads up
+-- over the zeros to the first 1, and to the other part there. The order of visits is that of the recursion, and the
+-- same boxes are tested; what it costs is a link from each node to the fork above.
 --
--- Source: M. Hapala, T. Davidovic, I. Wald, V. Havran, P. Slusallek, /Efficient Stack-less BVH Traversal for Ray Tracing/, SCCG 2011 (the links up); S. Laine, /Restart Trail for Stackless BVH Traversal/, HPG 2010 (the bits).
+-- Source: M. Hapala, T. Davidovic, I. Wald, V. Havran, P. Slusallek, /Efficient Stack-less BVH Traversal for Ray
+-- Tracing/, SCCG 2011 (the links up); S. Laine, /Restart Trail for Stackless BVH Traversal/, HPG 2010 (the bits).

@@ -19,8 +19,8 @@
 --
 -- > r <= R,  -s1(r) <= z <= L + s2(r),  s_i(r) = sgn(c_i) (sqrt (c_i^2 - r^2) - sqrt (c_i^2 - R^2))
 --
--- Seen from a face, along the axis q that points to the side on which the sphere bulges, both kinds of face are the same thing: a dome, the
--- points below its sphere,
+-- Seen from a face, along the axis q that points to the side on which the sphere bulges, both kinds of face are the
+-- same thing: a dome, the points below its sphere,
 --
 -- >         q                   dome: <p, q> <= -m, or within the sphere;
 -- >      .--^--.                      p measured from P1 or P2, m = sqrt (c^2 - R^2)
@@ -29,9 +29,10 @@
 -- >    |    |m   |
 -- >    |    C    |
 --
--- Within the bar r <= R a dome is convex, since R <= |c|. So a line is in it in one interval, and in the lens in what the bar and the kept domes
--- share, less the insides of those taken away: in as many as three intervals, where both faces are hollow. All
--- of them are intervals between the same few numbers, so that there is nothing to slip through at a rim.
+-- Within the bar r <= R a dome is convex, since R <= |c|. So a line is in it in one interval, and in the lens in what
+-- the bar and the kept domes share, less the insides of those taken away: in as many as three intervals, where both
+-- faces are hollow. All of them are intervals between the same few numbers, so that there is nothing to slip through at
+-- a rim.
 module Dioptre.Geometry.Lens
   ( -- * Constructing
     Lens,
@@ -88,10 +89,12 @@ lens body curvatures@(c1, c2)
   where
     r = roundRadius body
 
--- | Where a ray's line enters and leaves the lens whose axis starts at P1 in the unit direction S and has the length L, whose rim has the radius R, and whose
--- faces have the signed radii of curvature c1 (at P1) and c2: every entry and exit, ascending; up to three of each.
+-- | Where a ray's line enters and leaves the lens whose axis starts at P1 in the unit direction S and has the length L,
+-- whose rim has the radius R, and whose faces have the signed radii of curvature c1 (at P1) and c2: every entry and
+-- exit, ascending; up to three of each.
 --
--- Laws: entries and exits take turns; a point strictly between an entry and its exit is inside, and a point outside them all is not.
+-- Laws: entries and exits take turns; a point strictly between an entry and its exit is inside, and a point outside
+-- them all is not.
 --
 -- Spec: geometry.lens.body, geometry.lens.rim.
 lensParameters :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> [Double]
@@ -99,8 +102,8 @@ lensParameters p1 s l radius c1 c2 r = build $ \cons nil ->
   foldr (\(Interval enter leave) rest -> cons enter (cons leave rest)) nil (intervals (parts p1 s l radius c1 c2 r))
 {-# INLINE lensParameters #-}
 
--- | The parameter t0 of the line's point nearest to the middle of the axis and, counted from there, where the line is in the bar and in the domes
--- of the two faces. A face bulges where the flag is true.
+-- | The parameter t0 of the line's point nearest to the middle of the axis and, counted from there, where the line is
+-- in the bar and in the domes of the two faces. A face bulges where the flag is true.
 data Parts = Parts !Double !Interval !Bool !Interval !Bool !Interval
 
 parts :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Parts
@@ -148,8 +151,8 @@ faceEquation :: Double -> Face -> Vector -> Quadratic
 faceEquation radius face = sphereOver (faceAxis face) radius (faceCentre face) (facePoint face)
 {-# INLINE faceEquation #-}
 
--- | Where a line that is in the bar in a given interval is in the dome as well; an end of the interval that is in the dome, and is thus
--- no end that the dome makes, becomes infinite. See Note [Domes].
+-- | Where a line that is in the bar in a given interval is in the dome as well; an end of the interval that is in the
+-- dome, and is thus no end that the dome makes, becomes infinite. See Note [Domes].
 dome :: Double -> Face -> Vector -> Interval -> Interval
 dome radius face d (Interval enter leave) = case rootsOf (faceEquation radius face d) of
   [x, y] -> Interval (if below enter then negate infinity else faceShift face + x) (if below leave then infinity else faceShift face + y)
@@ -179,8 +182,8 @@ intervals (Parts t0 inBar bulges1 dome1 bulges2 dome2) =
     kept = intersection inBar (intersection (if bulges1 then dome1 else everywhere) (if bulges2 then dome2 else everywhere))
     hollows = [dome1 | not bulges1] ++ [dome2 | not bulges2]
 
--- | An interval as a list of none or one. One whose ends passed each other by no more than the 'rimOverlap' of the numbers involved touches a rim, and
--- counts, as one point.
+-- | An interval as a list of none or one. One whose ends passed each other by no more than the 'rimOverlap' of the
+-- numbers involved touches a rim, and counts, as one point.
 touching :: Double -> Interval -> [Interval]
 touching t0 (Interval enter leave)
   | enter <= leave = [Interval enter leave]
@@ -220,8 +223,8 @@ lensPart p1 s l radius c1 c2 r t
     Parts t0 inBar _ dome1 _ _ = parts p1 s l radius c1 c2 r
     isEndOf (Interval enter leave) = t == t0 + enter || t == t0 + leave
 
--- | The outward unit normal where a ray meets the lens, at a parameter that 'lensParameters' gave: the tube's on the side, and on a face away
--- from the sphere's centre if it bulges, towards it if it is hollow.
+-- | The outward unit normal where a ray meets the lens, at a parameter that 'lensParameters' gave: the tube's on the
+-- side, and on a face away from the sphere's centre if it bulges, towards it if it is hollow.
 --
 -- Spec: geometry.hit.centre, geometry.lens.normal.
 lensNormal :: Point -> Unit -> Double -> Double -> Double -> Double -> Ray -> Double -> Unit
@@ -232,8 +235,8 @@ lensNormal p1 s l radius c1 c2 r t = case lensPart p1 s l radius c1 c2 r t of
   where
     v = position r t
 
--- | Whether a point is inside the lens: nearer to the axis than (1 - 'roundThickness') R and, at each face, on the body's side of the sphere by more than
--- 'surfaceThickness' of its radius. A point on the surface is not.
+-- | Whether a point is inside the lens: nearer to the axis than (1 - 'roundThickness') R and, at each face, on the
+-- body's side of the sphere by more than 'surfaceThickness' of its radius. A point on the surface is not.
 --
 -- Spec: geometry.lens.contains.
 lensContains :: Point -> Unit -> Double -> Double -> Double -> Double -> Point -> Bool
@@ -251,15 +254,16 @@ lensContains p1 s l radius c1 c2 v =
         deep = dot p outward + m
         k = surfaceThickness
 
--- Note [Domes]
--- ~~~~~~~~~~~~
--- On a line, the dome is a half-line, <p + t d, q> <= -m, together with the interval between the roots of the sphere. In the bar it is convex. So where
--- both ends of the bar's interval are on the half-line, all of it is in the dome. Where only one is, the plane <p, q> = -m is crossed within the
--- bar, at a distance from the centre C of at most R <= |c|, which is in the sphere: the dome lasts from that end to the far root. Where neither is, it
--- is the interval between the roots. If there are no roots, the line is in no sphere, and is on the half-line or not.
+-- Note [Domes] ~~~~~~~~~~~~ On a line, the dome is a half-line, <p + t d, q> <= -m, together with the interval between
+-- the roots of the sphere. In the bar it is convex. So where both ends of the bar's interval are on the half-line, all
+-- of it is in the dome. Where only one is, the plane <p, q> = -m is crossed within the bar, at a distance from the
+-- centre C of at most R <= |c|, which is in the sphere: the dome lasts from that end to the far root. Where neither is,
+-- it is the interval between the roots. If there are no roots, the line is in no sphere, and is on the half-line or
+-- not.
 --
--- What the roots are on the other half of the sphere, below C, is therefore never asked: they may lie in the bar, as at the narrow end of a ball
--- between two flat faces, and are no part of the surface.
+-- What the roots are on the other half of the sphere, below C, is therefore never asked: they may lie in the bar, as at
+-- the narrow end of a ball between two flat faces, and are no part of the surface.
 --
--- The side is known to be hit where the bar's interval ends, and a face where its dome's interval does: an end that is not the dome's own is
--- infinite. 'lensPart' finds the part that has the parameter by comparing for equality, and the numbers are the same.
+-- The side is known to be hit where the bar's interval ends, and a face where its dome's interval does: an end that is
+-- not the dome's own is infinite. 'lensPart' finds the part that has the parameter by comparing for equality, and the
+-- numbers are the same.

@@ -9,8 +9,9 @@
 -- >   /   \ /   \
 -- >  0-----2-----...     A vertex is stored once, however many triangles meet in it.
 --
--- Models come with a million triangles, of which a list of 'Dioptre.Geometry.Shape.Shape' would take a gigabyte. A mesh is the same thing as flat
--- vectors without a pointer in them. Its triangles are those of "Dioptre.Geometry.Triangle", and 'meshTriangle' gives any of them.
+-- Models come with a million triangles, of which a list of 'Dioptre.Geometry.Shape.Shape' would take a gigabyte. A mesh
+-- is the same thing as flat vectors without a pointer in them. Its triangles are those of "Dioptre.Geometry.Triangle",
+-- and 'meshTriangle' gives any of them.
 module Dioptre.Geometry.Mesh
   ( Mesh (..),
     meshSize,
@@ -28,8 +29,9 @@ import Linear.V3 (V3 (..))
 
 -- | Triangles over shared vertices.
 --
--- Invariants: every number of a vertex, normal or texture coordinate is one that is there (or 'noAttribute' where that may stand); no triangle is collinear by
--- 'Dioptre.Geometry.Triangle.triangle''s measure; the vectors of a triangle have the lengths that are said.
+-- Invariants: every number of a vertex, normal or texture coordinate is one that is there (or 'noAttribute' where that
+-- may stand); no triangle is collinear by 'Dioptre.Geometry.Triangle.triangle''s measure; the vectors of a triangle
+-- have the lengths that are said.
 data Mesh = Mesh
   { -- | Three coordinates a vertex.
     meshPoints :: !(Vector Double),
@@ -39,9 +41,11 @@ data Mesh = Mesh
     meshUvs :: !(Vector Double),
     -- | Three vertex numbers a triangle, counted from 0.
     meshCorners :: !(Vector Int32),
-    -- | Three normal numbers a triangle; empty where no triangle is smooth. 'noAttribute' for a corner without one, which has the flat triangle's.
+    -- | Three normal numbers a triangle; empty where no triangle is smooth. 'noAttribute' for a corner without one,
+    -- which has the flat triangle's.
     meshCornerNormals :: !(Vector Int32),
-    -- | Three texture coordinate numbers a triangle; empty where no triangle has any. 'noAttribute' for a corner without one, which has (0, 0).
+    -- | Three texture coordinate numbers a triangle; empty where no triangle has any. 'noAttribute' for a corner
+    -- without one, which has (0, 0).
     meshCornerUvs :: !(Vector Int32),
     -- | Each triangle's finish, by its number in the model that the mesh is of.
     meshFinishes :: !(Vector Int32)

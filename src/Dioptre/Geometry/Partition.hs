@@ -30,8 +30,10 @@
 --
 -- Sources:
 --
--- * J. Goldsmith, J. Salmon, /Automatic Creation of Object Hierarchies for Ray Tracing/, IEEE CG&A 7(5) (1987): the ratio of the areas.
--- * I. Wald, /On fast Construction of SAH-based Bounding Volume Hierarchies/, RT 2007: choosing among a few planes by counting into bins.
+-- * J. Goldsmith, J. Salmon, /Automatic Creation of Object Hierarchies for Ray Tracing/, IEEE CG&A 7(5) (1987): the
+--   ratio of the areas.
+-- * I. Wald, /On fast Construction of SAH-based Bounding Volume Hierarchies/, RT 2007: choosing among a few planes by
+--   counting into bins.
 module Dioptre.Geometry.Partition
   ( partition,
     Part (..),
@@ -72,7 +74,8 @@ largestLeaf = 8
 mostBins :: Int
 mostBins = 16
 
--- | In how many bins so many items are counted: clearing and comparing more of them than there are items would take longer than all the rest.
+-- | In how many bins so many items are counted: clearing and comparing more of them than there are items would take
+-- longer than all the rest.
 binsFor :: Int -> Int
 binsFor n
   | n <= 8 = 4
@@ -83,7 +86,8 @@ binsFor n
 parallelAbove :: Int
 parallelAbove = 8192
 
--- | Below so many forks, items are halved as they come. Choosing well seldom goes so deep; where it does, each choice takes few items away, and would make the building slow.
+-- | Below so many forks, items are halved as they come. Choosing well seldom goes so deep; where it does, each choice
+-- takes few items away, and would make the building slow.
 deepestChoice :: Int
 deepestChoice = 40
 
@@ -97,7 +101,8 @@ deepestFork = 62
 
 -- | The part that has these items, at least one, given the boxes of all (six numbers each).
 --
--- Cost: O(n log n), some 150 bytes an item while it works. Large parts are built in parallel. Items whose boxes have one centre stay together in a leaf, however many they are.
+-- Cost: O(n log n), some 150 bytes an item while it works. Large parts are built in parallel. Items whose boxes have
+-- one centre stay together in a leaf, however many they are.
 partition :: PrimArray Double -> PrimArray Int -> Part
 partition boxes = together boxes 0
 
@@ -176,7 +181,8 @@ data Built = Built !Int !Int
 -------------------------------------------------------------------------------
 -- The best split
 
--- | Whether items are better in one leaf or in two parts: along which coordinate, and before which place the second one begins.
+-- | Whether items are better in one leaf or in two parts: along which coordinate, and before which place the second one
+-- begins.
 data Split = Together | Apart !Int !Int
 
 -- | Splits the items at some places as is expected to be cheapest, moving those of the first part to the front.

@@ -8,9 +8,9 @@
 -- >   o-->( .-'  )    M^-1     o--> (     )        o + t d is on the ellipsoid where
 -- >        `-..-'     ---->          `---'         M^-1 o + t L^-1 d is on the sphere: at the same t
 -- >
--- A transformed shape is met by a ray where the shape itself is met by the ray carried back. The transformation of the line is linear in its parameter, so the
--- parameters found there are the ray's, if the direction is carried as it is and not made unit. The normal found there is
--- carried forth by 'Dioptre.Math.Transform.transformNormal'.
+-- A transformed shape is met by a ray where the shape itself is met by the ray carried back. The transformation of the
+-- line is linear in its parameter, so the parameters found there are the ray's, if the direction is carried as it is
+-- and not made unit. The normal found there is carried forth by 'Dioptre.Math.Transform.transformNormal'.
 module Dioptre.Geometry.Placement
   ( Placement,
     placement,

@@ -9,8 +9,9 @@
 -- >              |
 -- >  ------------P------------    <n, r - P> = 0
 --
--- A ray r(t) = o + t d lies on the plane where A t + B = 0, with A = \<n, d> and B = \<n, o - P> (the handout's section 1.6).
--- A ray in the plane, or beside it, has A = 0 and does not meet it; or rather an A that is zero but for the rounding of n.
+-- A ray r(t) = o + t d lies on the plane where A t + B = 0, with A = \<n, d> and B = \<n, o - P> (the handout's section
+-- 1.6). A ray in the plane, or beside it, has A = 0 and does not meet it; or rather an A that is zero but for the
+-- rounding of n.
 module Dioptre.Geometry.Plane
   ( -- * Constructing
     Plane,
@@ -47,7 +48,8 @@ plane p n
 
 -- | Where a ray's line meets the plane through P with unit normal n: one parameter or none.
 --
--- A ray whose angle with the plane has a sine of at most 'parallelSine' is in the plane or beside it, and does not meet it.
+-- A ray whose angle with the plane has a sine of at most 'parallelSine' is in the plane or beside it, and does not meet
+-- it.
 --
 -- Law: \<n, r(t) - P> is zero at that parameter, to rounding.
 --

@@ -6,12 +6,13 @@
 -- Module      : Dioptre.Geometry.Prepared
 -- Description : Shapes made ready for many rays
 --
--- What the inner loop reads: of each shape the numbers that its rule names, computed once and stored flat (unit normals, squared radii,
--- half sizes). The rules themselves are those of the shapes' modules, inlined here with the same order of operations, so a prepared
--- shape is hit at the same parameters as a plain one, to the bit (a law).
+-- What the inner loop reads: of each shape the numbers that its rule names, computed once and stored flat (unit
+-- normals, squared radii, half sizes). The rules themselves are those of the shapes' modules, inlined here with the
+-- same order of operations, so a prepared shape is hit at the same parameters as a plain one, to the bit (a law).
 --
--- There is one dispatcher, 'parameters', and it returns a list. The list costs nothing: one 'build' stands outside the case, every rule
--- is a good producer, and consumers are folds, so that no cell of it is ever made. See Note [One build for all shapes].
+-- There is one dispatcher, 'parameters', and it returns a list. The list costs nothing: one 'build' stands outside the
+-- case, every rule is a good producer, and consumers are folds, so that no cell of it is ever made. See Note [One build
+-- for all shapes].
 module Dioptre.Geometry.Prepared
   ( -- * Preparing
     Prepared,
@@ -162,8 +163,8 @@ ofCorners t make =
   let Corners a b c = trianglePoints t
    in make (packed a) (packed b) (packed c) (packedUnit (triangleNormal t))
 
--- | Every parameter at which a ray's line meets the shape, ascending, those behind the origin too. A line meets a closed shape where
--- it enters and where it leaves.
+-- | Every parameter at which a ray's line meets the shape, ascending, those behind the origin too. A line meets a
+-- closed shape where it enters and where it leaves.
 --
 -- Law: sorted; each point lies on the shape, to rounding.
 --
@@ -194,8 +195,8 @@ rareParameters rare r = case rare of
   Placed place inner -> parameters inner (carriedBack place r)
 {-# NOINLINE rareParameters #-}
 
--- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound; the bound
--- itself if there is none.
+-- | The first parameter at which a ray meets the shape: greater than 'smallestParameter' and less than the given bound;
+-- the bound itself if there is none.
 --
 -- Spec: geometry.hit.smallest-parameter, geometry.hit.first, geometry.hit.none, light.shadow.itself.
 nearest :: Prepared -> Ray -> Double -> Double
@@ -204,14 +205,16 @@ nearest shape r = firstAhead $ case shape of
   _ -> parameters shape r
 {-# INLINE nearest #-}
 
--- | The first of some ascending parameters that is greater than 'smallestParameter' and less than a bound, or else the bound.
+-- | The first of some ascending parameters that is greater than 'smallestParameter' and less than a bound, or else the
+-- bound.
 firstAhead :: [Double] -> Double -> Double
 firstAhead = foldr keep id
   where
     keep t next !best = if t > smallestParameter && t < best then next t else next best
 {-# INLINE firstAhead #-}
 
--- | The outward unit normal where a ray meets the shape, at a parameter that 'parameters' gave; not turned towards the ray.
+-- | The outward unit normal where a ray meets the shape, at a parameter that 'parameters' gave; not turned towards the
+-- ray.
 --
 -- Spec: geometry.hit.normal, geometry.triangle.both-sides.
 normalAt :: Prepared -> Ray -> Double -> Unit
@@ -248,8 +251,8 @@ shadingNormal r n
   | dot (direction r) (vector n) < 0 = n
   | otherwise = opposite n
 
--- | The texture coordinates where a ray meets the shape, at a parameter that 'parameters' gave; those of a transformed shape are taken in its
--- own frame.
+-- | The texture coordinates where a ray meets the shape, at a parameter that 'parameters' gave; those of a transformed
+-- shape are taken in its own frame.
 --
 -- Spec: geometry.smooth-triangle.uv, geometry.lens.uv, geometry.transformed.uv, geometry.uv.every-shape.
 textureAt :: Prepared -> Ray -> Double -> V2 Double
@@ -320,8 +323,9 @@ contains shape p = case shape of
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 -- (Note [Lists that vanish] of "Dioptre.Math.Roots" tells the same of one equation.)
 --
--- GHC's rule foldr k z (build g) = g k z removes a list between its producer and its consumer, if it can see both at once. Hence:
--- 'parameters' is one build, with the case inside it (a case of lists would hide the build from its consumer); each branch hands
--- its rule's list on with foldr, which meets the build of linearRoots, quadraticRoots or cubeParameters in its turn; all are
--- INLINE; and 'nearest' is a strict foldr, whose "rest of the list" is a function of the best parameter so far. What remains
--- is a chain of comparisons on unboxed numbers. A test measures that no list is allocated.
+-- GHC's rule foldr k z (build g) = g k z removes a list between its producer and its consumer, if it can see both at
+-- once. Hence: 'parameters' is one build, with the case inside it (a case of lists would hide the build from its
+-- consumer); each branch hands its rule's list on with foldr, which meets the build of linearRoots, quadraticRoots or
+-- cubeParameters in its turn; all are INLINE; and 'nearest' is a strict foldr, whose "rest of the list" is a function
+-- of the best parameter so far. What remains is a chain of comparisons on unboxed numbers. A test measures that no list
+-- is allocated.

@@ -6,10 +6,11 @@
 -- Module      : Dioptre.Geometry.PreparedMesh
 -- Description : Meshes made ready for many rays
 --
--- A mesh with a hierarchy of boxes over its triangles. What the inner loop reads stands side by side, leaf by leaf: nine numbers for the corners of each
--- triangle, and apart from them, since few rays come so far, the unit normal.
+-- A mesh with a hierarchy of boxes over its triangles. What the inner loop reads stands side by side, leaf by leaf:
+-- nine numbers for the corners of each triangle, and apart from them, since few rays come so far, the unit normal.
 --
--- Triangles are met by the rule of "Dioptre.Geometry.Triangle", to the bit (a law); what depends on the ray alone is computed once a ray.
+-- Triangles are met by the rule of "Dioptre.Geometry.Triangle", to the bit (a law); what depends on the ray alone is
+-- computed once a ray.
 module Dioptre.Geometry.PreparedMesh
   ( PreparedMesh,
     prepareMesh,
@@ -71,7 +72,8 @@ data PreparedMesh = PreparedMesh
 
 -- | A mesh made ready. Cost: that of its 'hierarchy', and 104 bytes a triangle and 24 a normal.
 --
--- Where a leaf is crowded because many triangles are one and the same, only the first of them is kept: it is the one that is met. (A file may name a face a million times.)
+-- Where a leaf is crowded because many triangles are one and the same, only the first of them is kept: it is the one
+-- that is met. (A file may name a face a million times.)
 prepareMesh :: Mesh -> PreparedMesh
 prepareMesh m = PreparedMesh m h corners normals numbers places units
   where
@@ -115,7 +117,8 @@ prepareMesh m = PreparedMesh m h corners normals numbers places units
 crowded :: Hierarchy -> PrimArray Int
 crowded h = primArrayFromList [indexPrimArray (hierarchyOrder h) place | (from, end) <- hierarchyLeaves h, end - from > 64, place <- [from .. end - 1]]
 
--- | Those of some triangles, given in any order, that have the corners of another with a lower number: each with the first that has them.
+-- | Those of some triangles, given in any order, that have the corners of another with a lower number: each with the
+-- first that has them.
 repeated :: Mesh -> PrimArray Int -> IntMap Int
 repeated m = snd . foldl' look (Map.empty, IntMap.empty) . IntSet.toAscList . IntSet.fromList . primArrayToList
   where
@@ -125,7 +128,8 @@ repeated m = snd . foldl' look (Map.empty, IntMap.empty) . IntSet.toAscList . In
       where
         key = let Corners a b c = meshTriangle m i in (toList a, toList b, toList c)
 
--- | The triangle of that number, from 0 to below the mesh's size, as a shape of its own; smooth if it has normals or texture coordinates.
+-- | The triangle of that number, from 0 to below the mesh's size, as a shape of its own; smooth if it has normals or
+-- texture coordinates.
 --
 -- Spec: models.obj.smooth.
 triangleShape :: Mesh -> Int -> Maybe Shape
@@ -187,7 +191,8 @@ cornerUvs m i = uv . attribute (meshCornerUvs m) i <$> Corners 0 1 2
   where
     uv j = if j < 0 then 0 else V2 (meshUvs m Vector.! (2 * j)) (meshUvs m Vector.! (2 * j + 1))
 
--- | What a ray meets first among the triangles, and what was met before; the triangle of number i is offered as the given number more.
+-- | What a ray meets first among the triangles, and what was met before; the triangle of number i is offered as the
+-- given number more.
 --
 -- Spec: geometry.hit.index.
 closestTriangle :: PreparedMesh -> Int -> Ray -> Closest -> Closest
@@ -196,7 +201,8 @@ closestTriangle m first r c = case descend (preparedMeshHierarchy m) (approach r
   where
     !seen = seenAlong r
 
--- | The same for the triangles at some places. (In line, as a call would make the loop over the boxes keep its numbers in memory.)
+-- | The same for the triangles at some places. (In line, as a call would make the loop over the boxes keep its numbers
+-- in memory.)
 closestInRange :: PreparedMesh -> Int -> Seen -> Ray -> Int -> Int -> Closest -> Closest
 closestInRange m !first !seen !r !from !end before@(Closest t0 number0 tests) = go from t0 number0
   where
@@ -225,8 +231,9 @@ anyInRange m !seen !r !bound !from !end known = known || go from
     go !place = place < end && foldr (\t next -> (t > smallestParameter && t < bound) || next) (go (place + 1)) (parametersAt m seen r place)
 {-# INLINE anyInRange #-}
 
--- | How a ray sees corners: which coordinates are x, y and z in the frame in which its direction's largest component is z, the origin in that frame, and the shear that
--- makes the direction the z axis. (Note [Watertight] of "Dioptre.Geometry.Triangle".)
+-- | How a ray sees corners: which coordinates are x, y and z in the frame in which its direction's largest component is
+-- z, the origin in that frame, and the shear that makes the direction the z axis. (Note [Watertight] of
+-- "Dioptre.Geometry.Triangle".)
 data Seen = Seen {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 seenAlong :: Ray -> Seen

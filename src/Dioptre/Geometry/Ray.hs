@@ -7,8 +7,9 @@
 -- > o ----------> d        r(t) = o + t d
 -- >   t = 0    t = 1
 --
--- The ray of the handout's section 1.3. Its parameter t is the distance from the origin when the direction is unit, as it is for
--- every ray that leaves the camera; a ray that was carried into another frame keeps its parameters and gives up the unit length.
+-- The ray of the handout's section 1.3. Its parameter t is the distance from the origin when the direction is unit, as
+-- it is for every ray that leaves the camera; a ray that was carried into another frame keeps its parameters and gives
+-- up the unit length.
 module Dioptre.Geometry.Ray
   ( Ray,
     ray,

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Geometry.Shape
 -- Description : All shapes
 --
--- The closed sum of the shapes that a scene can hold, each as it was written and known to be possible. What the inner loop
--- sees of them is in "Dioptre.Geometry.Prepared".
+-- The closed sum of the shapes that a scene can hold, each as it was written and known to be possible. What the inner
+-- loop sees of them is in "Dioptre.Geometry.Prepared".
 module Dioptre.Geometry.Shape
   ( Shape (..),
   )

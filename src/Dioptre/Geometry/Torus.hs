@@ -14,8 +14,9 @@
 -- >                 |<--- R --->|              |     \     /
 -- >                                            |      ` - '
 --
--- A tube of radius r around the circle of radius R about P, in the plane with unit normal n. With v measured from P, h = \<n, v> its height
--- and rho = |v - h n| its distance from the axis, the torus is where (rho - R)^2 + h^2 = r^2. Expanded,
+-- A tube of radius r around the circle of radius R about P, in the plane with unit normal n. With v measured from P, h
+-- = \<n, v> its height and rho = |v - h n| its distance from the axis, the torus is where (rho - R)^2 + h^2 = r^2.
+-- Expanded,
 --
 -- > |v|^2 + R^2 - r^2 = 2 R rho
 --
@@ -23,19 +24,19 @@
 --
 -- > (|v|^2 + k)^2 = 4 R^2 (|v|^2 - h^2)        k = R^2 - r^2
 --
--- Squaring adds the points with (rho + R)^2 + h^2 = r^2: those of the tube where, thicker than the circle (r > R, a spindle), it reaches
--- across the axis. They belong to the torus too, as the inner sheet.
+-- Squaring adds the points with (rho + R)^2 + h^2 = r^2: those of the tube where, thicker than the circle (r > R, a
+-- spindle), it reaches across the axis. They belong to the torus too, as the inner sheet.
 --
--- A ray is put in as v = q + s u, with u its unit direction and q the point of its line nearest to P, so that \<q, u> = 0. Then
--- |v|^2 = s^2 + C and h = N + M s, with C = |q|^2, N = \<n, q>, M = \<n, u>, and with G = C + k:
+-- A ray is put in as v = q + s u, with u its unit direction and q the point of its line nearest to P, so that \<q, u> =
+-- 0. Then |v|^2 = s^2 + C and h = N + M s, with C = |q|^2, N = \<n, q>, M = \<n, u>, and with G = C + k:
 --
 -- > s^4  +  (2 G - 4 R^2 (1 - M^2)) s^2  +  8 R^2 M N s  +  G^2 - 4 R^2 (C - N^2)  =  0
 --
--- Measured from the ray's origin instead, at a distance D, the coefficients would be as large as D^4 and all the torus is would be in
--- their last digits. See Note [From where to measure].
+-- Measured from the ray's origin instead, at a distance D, the coefficients would be as large as D^4 and all the torus
+-- is would be in their last digits. See Note [From where to measure].
 --
--- Source: P. Hanrahan, "A Survey of Ray-Surface Intersection Algorithms", section 3.2, in A. Glassner (ed.), /An Introduction to Ray Tracing/
--- (1989).
+-- Source: P. Hanrahan, "A Survey of Ray-Surface Intersection Algorithms", section 3.2, in A. Glassner (ed.), /An
+-- Introduction to Ray Tracing/ (1989).
 module Dioptre.Geometry.Torus
   ( -- * Constructing
     Torus,
@@ -90,11 +91,13 @@ torus p major minor
   | major > 0 && minor > 0 = Just (Torus p major minor)
   | otherwise = Nothing
 
--- | Every parameter at which a ray's line meets the torus around P, with axis n, of radii R and r, ascending, those behind the origin too. A ray that
--- touches the torus does so twice; the number is even, 0, 2 or 4. The direction may have any length but zero.
+-- | Every parameter at which a ray's line meets the torus around P, with axis n, of radii R and r, ascending, those
+-- behind the origin too. A ray that touches the torus does so twice; the number is even, 0, 2 or 4. The direction may
+-- have any length but zero.
 --
--- Laws: each point is at distance r from the circle, with an error as of coordinates rounded to 2^-52 of the distance of the ray's origin, and
--- 2^-48 (R + r)^4 \/ (4 r R rho) more, rho being its distance from the axis; moving, turning and mirroring ray and torus together changes nothing else.
+-- Laws: each point is at distance r from the circle, with an error as of coordinates rounded to 2^-52 of the distance
+-- of the ray's origin, and 2^-48 (R + r)^4 \/ (4 r R rho) more, rho being its distance from the axis; moving, turning
+-- and mirroring ray and torus together changes nothing else.
 --
 -- >>> torusParameters 0 alongZ 2 1 (ray (V3 (-10) 0 0) (V3 1 0 0))
 -- [7.0,9.0,11.0,13.0]
@@ -141,7 +144,8 @@ torusLine p n major minor r = TorusLine l t0 (l / m) (quadrance q) (dot (vector 
     q = w + t0 *^ u
 {-# INLINE torusLine #-}
 
--- | The power of two with the same exponent: the unit of length, in which R + r is between 1 and 2, and to which everything is brought without rounding.
+-- | The power of two with the same exponent: the unit of length, in which R + r is between 1 and 2, and to which
+-- everything is brought without rounding.
 powerBelow :: Double -> Double
 powerBelow x = castWord64ToDouble (castDoubleToWord64 x .&. 0x7ff0000000000000)
 {-# INLINE powerBelow #-}
@@ -159,9 +163,10 @@ torusEquation major minor c n m = (2 * g - four * ((1 - m) * (1 + m)), 2 * four 
     !four = 4 * (major * major)
 {-# INLINE torusEquation #-}
 
--- | The outward unit normal at a point of the torus: (v - C) \/ |v - C|, where C is the point of the circle in whose tube's skin v lies, which is the nearest
--- one, P + R (v - h n) \/ rho, except on the inner sheet of a spindle, where it is the one across the axis. At a point of the axis there is no one such point, and
--- at C no direction; there it is n, on the side of n, or its opposite on the other side.
+-- | The outward unit normal at a point of the torus: (v - C) \/ |v - C|, where C is the point of the circle in whose
+-- tube's skin v lies, which is the nearest one, P + R (v - h n) \/ rho, except on the inner sheet of a spindle, where
+-- it is the one across the axis. At a point of the axis there is no one such point, and at C no direction; there it is
+-- n, on the side of n, or its opposite on the other side.
 --
 -- Spec: geometry.torus.normal.
 torusNormal :: Point -> Unit -> Double -> Double -> Point -> Unit
@@ -189,16 +194,18 @@ torusContains p n major minor v = sqrt (across * across + h * h) < (1 - roundThi
     h = dot (vector n) w
     across = modulus (w - h *^ vector n) - major
 
--- Note [From where to measure]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- The roots move by the rounding of the coefficients, divided by the slope of the polynomial. With s measured from the ray's origin at a distance D,
--- in units of about R + r, the constant coefficient is about D^4, its rounding 2^-53 D^4, and the slope at a root, where the other three roots are, is about
--- 1: at D = 1000 an error of 10^-4, which shows, and at 10^4 nothing is left. Measured from the point q nearest to the centre, all coefficients are at most 100 or so,
--- wherever the ray comes from: a line that passes through the sphere around the torus has |q| <= R + r. Only q itself carries the rounding of the origin, 2^-53 D in each coordinate, as
--- does every point that is computed as o + t d. The cubic term vanishes, too.
+-- Note [From where to measure] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~ The roots move by the rounding of the coefficients, divided
+-- by the slope of the polynomial. With s measured from the ray's origin at a distance D, in units of about R + r, the
+-- constant coefficient is about D^4, its rounding 2^-53 D^4, and the slope at a root, where the other three roots are,
+-- is about 1: at D = 1000 an error of 10^-4, which shows, and at 10^4 nothing is left. Measured from the point q
+-- nearest to the centre, all coefficients are at most 100 or so, wherever the ray comes from: a line that passes
+-- through the sphere around the torus has |q| <= R + r. Only q itself carries the rounding of the origin, 2^-53 D in
+-- each coordinate, as does every point that is computed as o + t d. The cubic term vanishes, too.
 --
--- Orthogonality is not exact: <q, u> is what rounding leaves, 2^-53 D or less. To leave out the terms with <q, u> is to shift the point along the ray by that much, no
--- more than the rounding of q itself. So is |u|^2 - 1.
+-- Orthogonality is not exact: <q, u> is what rounding leaves, 2^-53 D or less. To leave out the terms with <q, u> is to
+-- shift the point along the ray by that much, no more than the rounding of q itself. So is |u|^2 - 1.
 --
--- Near a root the polynomial is F = ((rho - R)^2 + h^2 - r^2) ((rho + R)^2 + h^2 - r^2). Its second factor is 4 R^2 or so, for thin tubes, and the gradient of its first factor is 2 r: an
--- error of 2^-53 times a few in F is an error of that over 8 R^2 r in the distance. A tube a thousand times thinner than its circle is seen to 10^-10 of its own radius.
+-- Near a root the polynomial is F = ((rho - R)^2 + h^2 - r^2) ((rho + R)^2 + h^2 - r^2). Its second factor is 4 R^2 or
+-- so, for thin tubes, and the gradient of its first factor is 2 r: an error of 2^-53 times a few in F is an error of
+-- that over 8 R^2 r in the distance. A tube a thousand times thinner than its circle is seen to 10^-10 of its own
+-- radius.

@@ -12,12 +12,13 @@
 -- >      /    \           r = P0 + t1 (P1 - P0) + t2 (P2 - P0)
 -- >    P0------P1
 --
--- A ray meets the plane of the triangle at one parameter, by the plane's rule; it is kept where the ray passes on the same side
--- of the three edges, the edges themselves included. A smooth triangle has a normal at each corner, and between them
--- the interpolated one.
+-- A ray meets the plane of the triangle at one parameter, by the plane's rule; it is kept where the ray passes on the
+-- same side of the three edges, the edges themselves included. A smooth triangle has a normal at each corner, and
+-- between them the interpolated one.
 --
--- Which side of an edge is decided by numbers that are the same for both triangles that share the edge, so that no ray slips between them.
--- Source: S. Woop, C. Benthin, I. Wald, "Watertight ray\/triangle intersection", JCGT 2(1), 2013. See Note [Watertight].
+-- Which side of an edge is decided by numbers that are the same for both triangles that share the edge, so that no ray
+-- slips between them. Source: S. Woop, C. Benthin, I. Wald, "Watertight ray\/triangle intersection", JCGT 2(1), 2013.
+-- See Note [Watertight].
 module Dioptre.Geometry.Triangle
   ( -- * Constructing
     Triangle,
@@ -109,8 +110,8 @@ triangleParameters :: Point -> Point -> Point -> Unit -> Ray -> [Double]
 triangleParameters p0 p1 p2 n r = [t | passes p0 p1 p2 r, t <- planeParameters p0 n r]
 {-# INLINE triangleParameters #-}
 
--- | Whether the ray's line passes through the triangle, its edges included; not where the ray sees it edge-on, as a line. See
--- Note [Watertight].
+-- | Whether the ray's line passes through the triangle, its edges included; not where the ray sees it edge-on, as a
+-- line. See Note [Watertight].
 --
 -- Spec: geometry.triangle.edges, geometry.triangle.watertight.
 passes :: Point -> Point -> Point -> Ray -> Bool
@@ -146,13 +147,14 @@ edge :: Shadow -> Shadow -> Double
 edge (Shadow ax ay) (Shadow bx by) = ax * by - ay * bx
 {-# INLINE edge #-}
 
--- | The coordinates (t1, t2) of a point in the triangle's plane: P0 + t1 (P1 - P0) + t2 (P2 - P0). With w = r - P0, s1 = P1 - P0, s2 = P2 - P0
--- and D = \<s1,s1>\<s2,s2> - \<s1,s2>^2:
+-- | The coordinates (t1, t2) of a point in the triangle's plane: P0 + t1 (P1 - P0) + t2 (P2 - P0). With w = r - P0, s1
+-- = P1 - P0, s2 = P2 - P0 and D = \<s1,s1>\<s2,s2> - \<s1,s2>^2:
 --
 -- > t1 = (<w,s1><s2,s2> - <w,s2><s1,s2>) / D
 -- > t2 = (<w,s2><s1,s1> - <w,s1><s1,s2>) / D
 --
--- For needles, and for triangles so small or large that a product leaves the range, they come from cross products instead: see Note [Needles].
+-- For needles, and for triangles so small or large that a product leaves the range, they come from cross products
+-- instead: see Note [Needles].
 --
 -- >>> barycentric (V3 0 0 0) (V3 1 0 0) (V3 1 0x1p-40 0) (V3 0.75 0x1p-42 0)
 -- (0.5,0.25)
@@ -202,26 +204,26 @@ interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
   fromMaybe flat (unit ((1 - t1 - t2) *^ vector n0 + t1 *^ vector n1 + t2 *^ vector n2))
 {-# INLINE interpolatedNormal #-}
 
--- Note [Watertight]
--- ~~~~~~~~~~~~~~~~~
--- The corners are moved so that the ray starts at the origin, turned so that its direction's largest component is z, and sheared so
--- that the direction is the z axis itself: x' = x - (dx/dz) z, y' = y - (dy/dz) z. Now the ray passes through the triangle where the origin of the
--- plane (x', y') lies in the triangle's shadow, that is where the three edge functions have one sign.
+-- Note [Watertight] ~~~~~~~~~~~~~~~~~ The corners are moved so that the ray starts at the origin, turned so that its
+-- direction's largest component is z, and sheared so that the direction is the z axis itself: x' = x - (dx/dz) z, y' =
+-- y - (dy/dz) z. Now the ray passes through the triangle where the origin of the plane (x', y') lies in the triangle's
+-- shadow, that is where the three edge functions have one sign.
 --
--- Each corner's shadow is computed from the corner and the ray alone: it is rounded, but it is the same rounded point for every
--- triangle around that corner, so that the shadows of a closed mesh are a closed mesh, a few ulps away. The edge function of an edge is
--- a difference of two products, and negates exactly when the edge is walked the other way. So of two triangles that share an edge at least
--- one accepts a ray that passes between their outer corners. (The scalar triple product <d, a x b> is antisymmetric too, and needs
--- no shear; but near a corner its error is that of the distance to the corner, not of its shadow's size, and three signs at
--- one corner need not fit together.)
+-- Each corner's shadow is computed from the corner and the ray alone: it is rounded, but it is the same rounded point
+-- for every triangle around that corner, so that the shadows of a closed mesh are a closed mesh, a few ulps away. The
+-- edge function of an edge is a difference of two products, and negates exactly when the edge is walked the other way.
+-- So of two triangles that share an edge at least one accepts a ray that passes between their outer corners. (The
+-- scalar triple product <d, a x b> is antisymmetric too, and needs no shear; but near a corner its error is that of the
+-- distance to the corner, not of its shadow's size, and three signs at one corner need not fit together.)
 
--- Note [Needles]
--- ~~~~~~~~~~~~~~
--- D is |s1|^2 |s2|^2 times the squared sine of the angle between the edges, and is computed as a difference of numbers of the size of |s1|^2 |s2|^2, so that
--- it carries an error of some 2^-52 of that. At a sine of 2^-10 the coordinates still have 2^-30 of themselves; at 2^-26 the difference is noise, or 0,
--- while 'triangle' takes sines down to 'collinearSine'. The components of n = s1 x s2 are differences too, but of the sine itself, not its square: their
--- error is 2^-52 in a sine. By <s1,s1><s2,s2> - <s1,s2>^2 = <n, n> and (a x b) . (c x d) = <a,c><b,d> - <a,d><b,c> the two ways are the same in exact arithmetic, and
--- whatever w has along n counts in neither.
+-- Note [Needles] ~~~~~~~~~~~~~~ D is |s1|^2 |s2|^2 times the squared sine of the angle between the edges, and is
+-- computed as a difference of numbers of the size of |s1|^2 |s2|^2, so that it carries an error of some 2^-52 of that.
+-- At a sine of 2^-10 the coordinates still have 2^-30 of themselves; at 2^-26 the difference is noise, or 0, while
+-- 'triangle' takes sines down to 'collinearSine'. The components of n = s1 x s2 are differences too, but of the sine
+-- itself, not its square: their error is 2^-52 in a sine. By <s1,s1><s2,s2> - <s1,s2>^2 = <n, n> and (a x b) . (c x d)
+-- = <a,c><b,d> - <a,d><b,c> the two ways are the same in exact arithmetic, and whatever w has along n counts in
+-- neither.
 --
--- D is of the fourth degree in the size of the triangle, and leaves the range of binary64 for edges above 10^77, which a scene may have. The powers of two that
--- bring the three vectors near 1 change no digit, and come back by one multiplication at the end. The ordinary case is left as the handout has it, bit for bit.
+-- D is of the fourth degree in the size of the triangle, and leaves the range of binary64 for edges above 10^77, which
+-- a scene may have. The powers of two that bring the three vectors near 1 change no digit, and come back by one
+-- multiplication at the end. The ordinary case is left as the handout has it, bit for bit.

@@ -10,8 +10,8 @@
 -- > -----------------------------------
 -- >  constant + linear D + quadratic D D
 --
--- The square alone is what physics has: the same light on a sphere of the area 4 pi D^2. The other two are there so that a scene
--- need not grow dark.
+-- The square alone is what physics has: the same light on a sphere of the area 4 pi D^2. The other two are there so
+-- that a scene need not grow dark.
 --
 -- Specification: 6.5.
 module Dioptre.Light.Attenuation
@@ -39,8 +39,8 @@ attenuation lamp = Attenuation (lampAmplification lamp) c l q
   where
     (c, l, q) = lampAttenuators lamp
 
--- | How many times as strong a light is at a distance of 0 or more, at most 'Dioptre.Light.Colour.brightest'; 'Nothing' at the
--- very place of the light, and where the attenuation divides by zero.
+-- | How many times as strong a light is at a distance of 0 or more, at most 'Dioptre.Light.Colour.brightest'; 'Nothing'
+-- at the very place of the light, and where the attenuation divides by zero.
 --
 -- >>> attenuated (Attenuation 1 0 0 1) 2
 -- Just 0.25

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Light.Colour
 -- Description : Colours, as amounts of light
 --
--- A colour is how much there is of red, green and blue, from 0 up without limit, and how opaque it is (alpha, from 0 to 1). It is linear:
--- colours of lights add. What becomes of it in a picture's bytes is "Dioptre.Picture.Byte"'s affair.
+-- A colour is how much there is of red, green and blue, from 0 up without limit, and how opaque it is (alpha, from 0 to
+-- 1). It is linear: colours of lights add. What becomes of it in a picture's bytes is "Dioptre.Picture.Byte"'s affair.
 module Dioptre.Light.Colour
   ( Colour (..),
     rgb,
@@ -48,7 +48,8 @@ white = rgb 1 1 1
 scaled :: Double -> Colour -> Colour
 scaled k (Colour r g b a) = Colour (k * r) (k * g) (k * b) a
 
--- | What is left of the first colour's light after the second let it through, channel by channel; as opaque as the first.
+-- | What is left of the first colour's light after the second let it through, channel by channel; as opaque as the
+-- first.
 --
 -- Spec: light.colour.channels.
 filtered :: Colour -> Colour -> Colour
@@ -60,7 +61,8 @@ filtered (Colour r g b a) (Colour r' g' b' _) = Colour (r * r') (g * g') (b * b'
 plus :: Colour -> Colour -> Colour
 plus (Colour r g b a) (Colour r' g' b' _) = Colour (r + r') (g + g') (b + b') a
 
--- | No light is brighter than this: 1e100, which is also the largest number of a scene. Colours, factors and tints multiply, and beyond some 1e308 there would be infinity, which times 0 is no number at all.
+-- | No light is brighter than this: 1e100, which is also the largest number of a scene. Colours, factors and tints
+-- multiply, and beyond some 1e308 there would be infinity, which times 0 is no number at all.
 brightest :: Double
 brightest = 1e100
 

@@ -5,8 +5,9 @@
 -- Module      : Dioptre.Light.Finish
 -- Description : The colours that light meets
 --
--- What shading needs of a material: the colour in ambient light, in diffused light and in highlights, and how much it mirrors and lets through. A
--- scene's 'Material' states these by one colour and several coefficients; the material library of a model states them one by one.
+-- What shading needs of a material: the colour in ambient light, in diffused light and in highlights, and how much it
+-- mirrors and lets through. A scene's 'Material' states these by one colour and several coefficients; the material
+-- library of a model states them one by one.
 module Dioptre.Light.Finish
   ( Finish (..),
     Colours (..),
@@ -34,7 +35,8 @@ import Data.Text (Text)
 import Dioptre.Light.Colour (Colour, scaled)
 import Dioptre.Light.Material (Material (..), Textures (..), ambientColour, diffuseColour, specularColour)
 
--- | The colours of a surface. A picture may stand in for some of them: it is known by its name first, and later the picture itself.
+-- | The colours of a surface. A picture may stand in for some of them: it is known by its name first, and later the
+-- picture itself.
 data Finish picture = Finish
   { -- | Its colours, where no picture stands in.
     finishColours :: !Colours,
@@ -60,8 +62,8 @@ data Colours = Colours
   }
   deriving stock (Eq, Show)
 
--- | The pictures that stand in for colours where there are texture coordinates. Most surfaces have none, which must be known quickly: 'NoPictures'. 'pictures' makes the others, and sees to it that
--- one of the three is there.
+-- | The pictures that stand in for colours where there are texture coordinates. Most surfaces have none, which must be
+-- known quickly: 'NoPictures'. 'pictures' makes the others, and sees to it that one of the three is there.
 data Pictures picture
   = NoPictures
   | -- | Ambient, diffuse and specular.

@@ -12,9 +12,10 @@
 -- >       v|/                R   the light mirrored ("Dioptre.Optics.Reflection")
 -- >   -----+------           H   half way between the light and the viewer: -v - d, made unit
 --
--- All directions are unit. The terms are bare: shadows, attenuation and the sum over lights are "Dioptre.Render.Shade"'s affair.
--- Sources: J. H. Lambert, Photometria, 1760; B. T. Phong, "Illumination for computer generated pictures", CACM 18(6), 1975;
--- J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977.
+-- All directions are unit. The terms are bare: shadows, attenuation and the sum over lights are
+-- "Dioptre.Render.Shade"'s affair. Sources: J. H. Lambert, Photometria, 1760; B. T. Phong, "Illumination for computer
+-- generated pictures", CACM 18(6), 1975; J. F. Blinn, "Models of light reflection for computer synthesized pictures",
+-- SIGGRAPH 1977.
 module Dioptre.Light.Illumination
   ( ambient,
     lambert,
@@ -49,8 +50,8 @@ lambert light surface n d
     facing = negate (dot (vector n) d)
 {-# INLINE lambert #-}
 
--- | A highlight, as Blinn has it: light . surface . \<N, H>^shininess; black where \<N, H> is negative, and where light and viewer are exactly
--- opposite, so that there is no H. The exponent 0 gives the factor 1.
+-- | A highlight, as Blinn has it: light . surface . \<N, H>^shininess; black where \<N, H> is negative, and where light
+-- and viewer are exactly opposite, so that there is no H. The exponent 0 gives the factor 1.
 --
 -- Spec: light.blinn, light.blinn.behind, light.blinn.opposite.
 blinn :: Colour -> Colour -> Unit -> Vector -> Vector -> Double -> Colour
@@ -63,7 +64,8 @@ blinn light surface n d v shininess
     facing = dot (vector n) (between ^/ width)
 {-# INLINE blinn #-}
 
--- | A highlight, as Phong has it: light . surface . \<R, E>^shininess; black where \<R, E> is negative. The exponent 0 gives the factor 1.
+-- | A highlight, as Phong has it: light . surface . \<R, E>^shininess; black where \<R, E> is negative. The exponent 0
+-- gives the factor 1.
 --
 -- Spec: light.phong, light.phong.behind.
 phong :: Colour -> Colour -> Unit -> Vector -> Vector -> Double -> Colour
@@ -76,8 +78,9 @@ phong light surface n d v shininess
 
 -- | x^n for x and n from 0 up; 1 where n is 0.
 --
--- Most shininesses are whole numbers, and those to 256 are taken by squaring, in at most 16 products: a third of the time of the library's power. The relative error
--- of x^(2k) is twice that of x^k and 2^-53 more, which makes at most n 2^-53 in all: below 3e-14.
+-- Most shininesses are whole numbers, and those to 256 are taken by squaring, in at most 16 products: a third of the
+-- time of the library's power. The relative error of x^(2k) is twice that of x^k and 2^-53 more, which makes at most n
+-- 2^-53 in all: below 3e-14.
 --
 -- Spec: numbers.elementary, light.power.
 power :: Double -> Double -> Double

@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Light.Light
 -- Description : Sources of light
 --
--- The closed sum of the lights that a scene can hold, as they are written. "Dioptre.Render.Stage" makes them ready, and "Dioptre.Render.Shade" adds them up.
+-- The closed sum of the lights that a scene can hold, as they are written. "Dioptre.Render.Stage" makes them ready, and
+-- "Dioptre.Render.Shade" adds them up.
 --
 -- Specification: 6.5 and 6.7.
 module Dioptre.Light.Light
@@ -43,7 +44,8 @@ data Lamp = Lamp
     lampPosition :: Point,
     -- | A factor from 0 up.
     lampAmplification :: Double,
-    -- | The attenuation at distance D is 1 \/ (constant + linear D + quadratic D^2): these are constant, linear, quadratic.
+    -- | The attenuation at distance D is 1 \/ (constant + linear D + quadratic D^2): these are constant, linear,
+    -- quadratic.
     lampAttenuators :: (Double, Double, Double)
   }
   deriving stock (Eq, Show)

@@ -5,7 +5,8 @@
 -- Module      : Dioptre.Light.Material
 -- Description : What a surface does with light
 --
--- A material has one colour and a few coefficients, from which the colours that the illumination terms need are derived.
+-- A material has one colour and a few coefficients, from which the colours that the illumination terms need are
+-- derived.
 module Dioptre.Light.Material
   ( Material (..),
     Textures (..),

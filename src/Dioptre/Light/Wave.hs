@@ -2,16 +2,16 @@
 -- Module      : Dioptre.Light.Wave
 -- Description : Light that interferes
 --
--- An aperture lets light through as if each of its points were a source of its own (Huygens). The sources oscillate together; what arrives at
--- a point is the square of the sum of their waves, averaged over a period.
+-- An aperture lets light through as if each of its points were a source of its own (Huygens). The sources oscillate
+-- together; what arrives at a point is the square of the sum of their waves, averaged over a period.
 --
 -- >   | * -----.___
 -- >   | * ---------`--- p      the waves arrive with phases k r, k = 2 pi / lambda,
 -- >   | * -----'''             r the distance from each source
 --
--- With s instants in a period the average is (1\/s) sum_i (sum_w sin (k r_w - 2 pi i \/ s))^2. For s >= 3 that is 1\/2 |sum_w e^(i k r_w)|^2 whatever s is,
--- because the terms in twice the phase cancel; for s = 1 and 2 it is (sum_w sin (k r_w))^2. Divided by the square of the number of sources
--- it is at most 1\/2 (or 1).
+-- With s instants in a period the average is (1\/s) sum_i (sum_w sin (k r_w - 2 pi i \/ s))^2. For s >= 3 that is 1\/2
+-- |sum_w e^(i k r_w)|^2 whatever s is, because the terms in twice the phase cancel; for s = 1 and 2 it is (sum_w sin (k
+-- r_w))^2. Divided by the square of the number of sources it is at most 1\/2 (or 1).
 module Dioptre.Light.Wave
   ( -- * Sources
     linearOscillators,
@@ -58,8 +58,8 @@ oscillatorGrid n aperture
     h = apertureHeight aperture
     along len step = ceiling (len / step) + 1
 
--- | The sources of a plane aperture around a point: a grid over its width and height, those places left out that are not open. What is open is
--- asked in coordinates from one corner, to the right and up.
+-- | The sources of a plane aperture around a point: a grid over its width and height, those places left out that are
+-- not open. What is open is asked in coordinates from one corner, to the right and up.
 --
 -- Spec: light.wave.grid, light.wave.frame.
 planarOscillators :: (Double -> Double -> Bool) -> Point -> Int -> Aperture -> [Point]
@@ -87,7 +87,8 @@ planarOscillators open position n aperture
     right = cross front up
     made v = maybe v vector (unit v)
 
--- | How much arrives at a point from some sources: from 0 to 1\/2 (to 1, where the period has one or two instants); 0 without sources.
+-- | How much arrives at a point from some sources: from 0 to 1\/2 (to 1, where the period has one or two instants); 0
+-- without sources.
 --
 -- Spec: numbers.elementary, light.wave.gives, light.wave.intensity, light.wave.few-instants, light.wave.none.
 intensity :: Wave -> Unboxed.Vector (Double, Double, Double) -> Point -> Double

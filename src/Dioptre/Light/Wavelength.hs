@@ -2,10 +2,10 @@
 -- Module      : Dioptre.Light.Wavelength
 -- Description : The colour of a wavelength
 --
--- What the eye sees of light of one wavelength, as red, green and blue: the eye's response (the colour matching functions
--- of the CIE's standard observer of 1931, as sums of lobes), then the screen's primaries, then its transfer curve.
--- Sources: C. Wyman, P.-P. Sloan, P. Shirley, "Simple analytic approximations to the CIE XYZ color matching functions", JCGT 2(2), 2013;
--- IEC 61966-2-1 (sRGB).
+-- What the eye sees of light of one wavelength, as red, green and blue: the eye's response (the colour matching
+-- functions of the CIE's standard observer of 1931, as sums of lobes), then the screen's primaries, then its transfer
+-- curve. Sources: C. Wyman, P.-P. Sloan, P. Shirley, "Simple analytic approximations to the CIE XYZ color matching
+-- functions", JCGT 2(2), 2013; IEC 61966-2-1 (sRGB).
 module Dioptre.Light.Wavelength
   ( colourOfWavelength,
   )

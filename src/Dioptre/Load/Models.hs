@@ -13,8 +13,9 @@
 -- >    model file brick.obj   (forty times)
 -- >    primitive ...
 --
--- A model becomes part of the library when everything that it names has, so that each holds only models with lower numbers. What a model is does not depend on who
--- names it, with one exception, the @uv_format@: a file has that of the first model that names it, in the order in which the files are read.
+-- A model becomes part of the library when everything that it names has, so that each holds only models with lower
+-- numbers. What a model is does not depend on who names it, with one exception, the @uv_format@: a file has that of the
+-- first model that names it, in the order in which the files are read.
 module Dioptre.Load.Models
   ( Site,
     sceneSite,

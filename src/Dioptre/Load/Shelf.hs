@@ -5,8 +5,8 @@
 -- Module      : Dioptre.Load.Shelf
 -- Description : Files that have been loaded already
 --
--- A scene may name a picture or a model a thousand times, in many spellings, and its models may name it as well. Each file is read once: what came of it stays on a
--- shelf, under the file's own path.
+-- A scene may name a picture or a model a thousand times, in many spellings, and its models may name it as well. Each
+-- file is read once: what came of it stays on a shelf, under the file's own path.
 module Dioptre.Load.Shelf
   ( -- * The shelf
     Shelf (..),
@@ -72,7 +72,8 @@ data Shelf = Shelf
     shelfLibrary :: Seq (Content Instance Texture),
     -- | The models' files, as their reading ends.
     shelfRead :: Seq ModelRead,
-    -- | What is wrong with models and their materials, by files, as their reading ends; each in its order, and none is empty.
+    -- | What is wrong with models and their materials, by files, as their reading ends; each in its order, and none is
+    -- empty.
     shelfFaults :: Seq (Source, [Diagnostic])
   }
 

@@ -6,12 +6,12 @@
 -- Module      : Dioptre.Math.Quartic
 -- Description : Real roots of cubic and quartic polynomials
 --
--- Where a ray meets a torus, a polynomial of degree 4 in the ray's parameter is zero. This module finds its real zeros, and
--- those of degree 3, with the promises of "Dioptre.Math.Roots": total, ascending, with multiplicity, finite, no @-0@, and the same bits
--- when all coefficients are multiplied by @+-2^m@.
+-- Where a ray meets a torus, a polynomial of degree 4 in the ray's parameter is zero. This module finds its real zeros,
+-- and those of degree 3, with the promises of "Dioptre.Math.Roots": total, ascending, with multiplicity, finite, no
+-- @-0@, and the same bits when all coefficients are multiplied by @+-2^m@.
 --
--- Between two neighbouring zeros of the derivative a polynomial only rises or only falls, so that it has one root there or none,
--- and the signs at the two ends tell which:
+-- Between two neighbouring zeros of the derivative a polynomial only rises or only falls, so that it has one root there
+-- or none, and the signs at the two ends tell which:
 --
 -- >          c1                         p' = 0 at c1, c2, c3
 -- >   \     .-.            /            p(c1) > 0 > p(c2): one root between them
@@ -20,26 +20,30 @@
 -- >      c0      \_/   (the same for the derivative, one degree lower, down to the square root)
 -- >               c2
 --
--- No formula for degree 4 does better: Ferrari's loses half of the digits exactly where a ray grazes a torus, and must be repaired by
--- iteration anyway. See Note [Roots between critical points].
+-- No formula for degree 4 does better: Ferrari's loses half of the digits exactly where a ray grazes a torus, and must
+-- be repaired by iteration anyway. See Note [Roots between critical points].
 --
 -- What holds beyond the common promises:
 --
--- * __Number.__ There are as many roots as the polynomial with these very coefficients has, multiplicity counted, unless two of its
---   roots, real or complex, lie closer to each other than 2^-24 of their size. Roots closer than that whose difference is within the rounding of the
---   coefficients are given as one multiple root, so that a tangent ray is tangent although its coefficients were rounded; unless two neighbouring
---   zeros of the derivative would both be such roots, which cannot be: then roots are given as they are. See Note [Roots that touch] of "Dioptre.Math.Touching".
--- * __Place.__ A root that is given once is one of the two doubles beside an exact root, or that root, however near others are; a multiple one is the zero of
---   the derivative that it is. (Where a power of x leaves degree two, the roots are those of "Dioptre.Math.Roots".)
+-- * __Number.__ There are as many roots as the polynomial with these very coefficients has, multiplicity counted,
+--   unless two of its roots, real or complex, lie closer to each other than 2^-24 of their size. Roots closer than that
+--   whose difference is within the rounding of the coefficients are given as one multiple root, so that a tangent ray
+--   is tangent although its coefficients were rounded; unless two neighbouring zeros of the derivative would both be
+--   such roots, which cannot be: then roots are given as they are. See Note [Roots that touch] of
+--   "Dioptre.Math.Touching".
+-- * __Place.__ A root that is given once is one of the two doubles beside an exact root, or that root, however near
+--   others are; a multiple one is the zero of the derivative that it is. (Where a power of x leaves degree two, the
+--   roots are those of "Dioptre.Math.Roots".)
 -- * __Residual.__ |p(x)| <= 8 eps (|a x^n| + ... + |e|), eps = 2^-53, at every root.
--- * __The same bits everywhere.__ Only @+ - * \/@ and @sqrt@ of binary64 are used, and whole numbers where those cannot tell.
+-- * __The same bits everywhere.__ Only @+ - * \/@ and @sqrt@ of binary64 are used, and whole numbers where those cannot
+--   tell.
 --
 -- Sources:
 --
 -- * S. Graillat, Ph. Langlois, N. Louvet, /Algorithms for accurate, validated and fast polynomial evaluation/ (2009),
 --   <https://doi.org/10.1007/BF03186531>: the value of a polynomial as if computed with twice the digits.
--- * C. Yuksel, /High-Performance Polynomial Root Finding for Graphics/ (2022), <https://doi.org/10.1145/3543865>: roots between critical points,
---   with Newton's method kept in its interval.
+-- * C. Yuksel, /High-Performance Polynomial Root Finding for Graphics/ (2022), <https://doi.org/10.1145/3543865>: roots
+--   between critical points, with Newton's method kept in its interval.
 module Dioptre.Math.Quartic
   ( cubicRoots,
     quarticRoots,
@@ -55,8 +59,8 @@ import Dioptre.Math.Roots (quadraticRoots)
 import Dioptre.Math.Touching (mergingPart, residualPart)
 import GHC.Float (castDoubleToWord64, castWord64ToDouble)
 
--- | The real roots of @a x^3 + b x^2 + c x + d@, ascending, as often as their multiplicity; 'quadraticRoots' @b c d@ when @a@ is
--- zero.
+-- | The real roots of @a x^3 + b x^2 + c x + d@, ascending, as often as their multiplicity; 'quadraticRoots' @b c d@
+-- when @a@ is zero.
 --
 -- >>> cubicRoots 1 (-6) 11 (-6)
 -- [1.0,2.0,3.0]
@@ -76,8 +80,8 @@ cubicRoots a b c d
   | d == 0 = withZero (quadraticRoots a b c)
   | otherwise = scaled cubic 0 a b c d
 
--- | The real roots of @a x^4 + b x^3 + c x^2 + d x + e@, ascending, as often as their multiplicity; 'cubicRoots' @b c d e@ when @a@
--- is zero.
+-- | The real roots of @a x^4 + b x^3 + c x^2 + d x + e@, ascending, as often as their multiplicity; 'cubicRoots' @b c d
+-- e@ when @a@ is zero.
 --
 -- >>> quarticRoots 1 (-10) 35 (-50) 24
 -- [1.0,2.0,3.0,4.0]
@@ -86,8 +90,8 @@ cubicRoots a b c d
 -- >>> quarticRoots 1 0 0 0 1
 -- []
 --
--- Cost: about a microsecond, and some hundred bytes. Where coefficients differ by more than 2^60 in size, or three roots or more nearly
--- coincide, whole numbers do the work, in milliseconds.
+-- Cost: about a microsecond, and some hundred bytes. Where coefficients differ by more than 2^60 in size, or three
+-- roots or more nearly coincide, whole numbers do the work, in milliseconds.
 --
 -- Spec: numbers.not-finite, numbers.tolerances.only, roots.total, roots.ascending, roots.degree, roots.finite,
 --   roots.no-negative-zero, roots.scale, roots.quartic.count, roots.multiple, roots.residual, roots.simple,
@@ -108,8 +112,8 @@ withZero roots = let (below, above) = span (< 0) roots in below ++ 0 : above
 -------------------------------------------------------------------------------
 -- Preparing
 
--- | Coefficients multiplied by the power of two that brings the largest between 1 and 2, and by the sign that makes the leading one
--- positive; then solved in binary64 if their sizes allow it, and if that leaves no doubt. See Note [Sizes].
+-- | Coefficients multiplied by the power of two that brings the largest between 1 and 2, and by the sign that makes the
+-- leading one positive; then solved in binary64 if their sizes allow it, and if that leaves no doubt. See Note [Sizes].
 scaled :: (Double -> Double -> Double -> Double -> Double -> Chain) -> Double -> Double -> Double -> Double -> Double -> [Double]
 scaled solve a b c d e
   | abs lead >= 0x1p-60 && abs e' >= 0x1p-100 * 0x1p-100 && negligible b' && negligible c' && negligible d' =
@@ -121,7 +125,8 @@ scaled solve a b c d e
     coefficients = if a == 0 then [b, c, d, e] else [a, b, c, d, e]
     leading = if a == 0 then b else a
     largest = abs a `larger` abs b `larger` abs c `larger` abs d `larger` abs e
-    -- First to the middle of the range of exponents, then to 1: both factors are normal numbers. (2^-500 and 2^500, 2^600 and 2^-600. See Note [Literals] of "Dioptre.Math.Roots".)
+    -- First to the middle of the range of exponents, then to 1: both factors are normal numbers. (2^-500 and 2^500,
+    -- 2^600 and 2^-600. See Note [Literals] of "Dioptre.Math.Roots".)
     !j
       | largest < small * small * small * small * small = large * large * large * large * large * large
       | largest > large * large * large * large * large = small * small * small * small * small * small
@@ -165,7 +170,8 @@ listed :: Chain -> [Double]
 listed (Link x m rest) = replicate m x ++ listed rest
 listed _ = []
 
--- | a x^4 + b x^3 + (c + c') x^2 + d x + e, of degree 4 or 3, with a positive leading coefficient; c' is what rounding took from c.
+-- | a x^4 + b x^3 + (c + c') x^2 + d x + e, of degree 4 or 3, with a positive leading coefficient; c' is what rounding
+-- took from c.
 data Poly = Poly !Double !Double !Double !Double !Double !Double
 
 -- | A polynomial at a place.
@@ -310,7 +316,8 @@ between p@(Poly a b c _ d e) criticals = case criticals of
           2 -> x * x * x
           _ -> (x * x) * (x * x)
         !allowed = smaller (residualPart * s) (mergingPart m * abs (taylor (m + 1) p x * power))
-    -- No root is farther from zero (Cauchy); a little more, since a root may be that far but for the rounding of the bound.
+    -- No root is farther from zero (Cauchy); a little more, since a root may be that far but for the rounding of the
+    -- bound.
     !bound = 0x1.0000000000004p0 * (1 + largest / lead)
     !largest = abs b `larger` abs c `larger` abs d `larger` abs e
     !lead = if a /= 0 then a else b
@@ -327,8 +334,8 @@ between p@(Poly a b c _ d e) criticals = case criticals of
       | abs v < abs v' = x + sqrt (0.5 * abs v / (abs v + abs v')) * (y - x)
       | otherwise = y - sqrt (0.5 * abs v' / (abs v + abs v')) * (y - x)
 
--- | The root between two places, at whose lower one the polynomial has the given sign, and the other sign at the upper one, by Newton's method from a
--- guess, kept between them; or @nowhere@. See Note [Polishing].
+-- | The root between two places, at whose lower one the polynomial has the given sign, and the other sign at the upper
+-- one, by Newton's method from a guess, kept between them; or @nowhere@. See Note [Polishing].
 root :: Poly -> Double -> Double -> Double -> Double -> Double
 root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
   | low < 0 && high > 0 = if e == 0 then 0 else if e * sign > 0 then start 0 high else start low 0
@@ -348,7 +355,8 @@ root p@(Poly _ _ _ _ _ e) !sign !low !high !guess
         !s = size there
         !v' = slope p x
         !step = v / v'
-        -- Newton's method squares the error, in units of the distance to where the slope vanishes. Where that is near, no step is the last one.
+        -- Newton's method squares the error, in units of the distance to where the slope vanishes. Where that is near,
+        -- no step is the last one.
         !rise = abs (v' * x)
         !enough
           | rise > 0x1p-20 * s = 0x1p-40

@@ -153,7 +153,8 @@ linear a b
 -- A copy of this stands wherever a shape solves its equation, so it holds the ordinary case and nothing else.
 quadratic :: Double -> Double -> Double -> Roots
 quadratic a b c
-  -- Most rays miss. (Rounding keeps order: u < v, as computed, proves D < 0, however small the products are, and whatever a and b are. Where v is out of range, nothing is proved: 4 a may be.)
+  -- Most rays miss. (Rounding keeps order: u < v, as computed, proves D < 0, however small the products are, and
+  -- whatever a and b are. Where v is out of range, nothing is proved: 4 a may be.)
   | u < v && finite v = None
   | roomy (u + abs v) && roomy (abs a) && b /= 0 = solved (/) a b c u v
   | otherwise = quadraticElsewhere a b c
@@ -162,14 +163,16 @@ quadratic a b c
     !v = (4 * a) * c
 {-# INLINE quadratic #-}
 
--- | Whether it is clear at once that @a x^2 + 2 h x + c@ has no root, as it is for most rays and most shapes: rounding keeps order, so that h h < a c, as computed, proves it, however small or large the products are.
+-- | Whether it is clear at once that @a x^2 + 2 h x + c@ has no root, as it is for most rays and most shapes: rounding
+-- keeps order, so that h h < a c, as computed, proves it, however small or large the products are.
 --
 -- Law: then 'quadraticRoots' @a (2 h) c@ has none.
 clearlyNone :: Double -> Double -> Double -> Bool
 clearlyNone a h c = h * h < a * c
 {-# INLINE clearlyNone #-}
 
--- | Whether a magnitude is far from both ends of the range of exponents; false for zero, infinity and NaN. (From 2^-400 to 2^400. See Note [Literals].)
+-- | Whether a magnitude is far from both ends of the range of exponents; false for zero, infinity and NaN. (From 2^-400
+-- to 2^400. See Note [Literals].)
 roomy :: Double -> Bool
 roomy x = x > 0x1p-100 * 0x1p-100 * 0x1p-100 * 0x1p-100 && x < 0x1p100 * 0x1p100 * 0x1p100 * 0x1p100
 {-# INLINE roomy #-}

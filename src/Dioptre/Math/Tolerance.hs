@@ -40,8 +40,8 @@ where
 smallestParameter :: Double
 smallestParameter = 1e-8
 
--- | Lengths that must be greater than zero are at least this, and so is the length of whatever must have a direction: normals,
--- the camera's front and up, a light's orientation.
+-- | Lengths that must be greater than zero are at least this, and so is the length of whatever must have a direction:
+-- normals, the camera's front and up, a light's orientation.
 --
 -- Spec: numbers.tolerances.
 smallestLength :: Double
@@ -53,46 +53,48 @@ smallestLength = 1e-10
 smallestLight :: Double
 smallestLight = 1e-10
 
--- | Two edges whose angle has a sine of at most this are parallel: 2^-50. The cross product of two vectors is computed with an error of less than
--- 2^-51 of the product of their lengths (each component is a difference of two rounded products), so that below twice that its
--- direction is noise.
+-- | Two edges whose angle has a sine of at most this are parallel: 2^-50. The cross product of two vectors is computed
+-- with an error of less than 2^-51 of the product of their lengths (each component is a difference of two rounded
+-- products), so that below twice that its direction is noise.
 --
 -- Spec: numbers.tolerances, geometry.triangle.collinear.
 collinearSine :: Double
 collinearSine = 0x1p-50
 
--- | A ray whose angle with a plane has a sine of at most this is parallel to it: 2^-50. The components of a unit normal carry an error of 2^-52 of themselves,
--- and \<n, d> one of 3 2^-53 of its terms, whose sum is at most |d|: together less than 2^-50 |d|, so that below it the sign of \<n, d> is noise.
+-- | A ray whose angle with a plane has a sine of at most this is parallel to it: 2^-50. The components of a unit normal
+-- carry an error of 2^-52 of themselves, and \<n, d> one of 3 2^-53 of its terms, whose sum is at most |d|: together
+-- less than 2^-50 |d|, so that below it the sign of \<n, d> is noise.
 --
 -- Spec: numbers.tolerances, geometry.plane.parallel.
 parallelSine :: Double
 parallelSine = 0x1p-50
 
--- | The part of its size within which a point is on the surface of a sphere or cube, neither inside nor outside: a hit point is off by a few
--- roundings of the numbers that it was computed from, which this exceeds for scenes up to some 10^5 times as large as the shape.
+-- | The part of its size within which a point is on the surface of a sphere or cube, neither inside nor outside: a hit
+-- point is off by a few roundings of the numbers that it was computed from, which this exceeds for scenes up to some
+-- 10^5 times as large as the shape.
 --
 -- Spec: numbers.tolerances, geometry.sphere.contains, geometry.cube.contains, geometry.contains.surface.
 surfaceThickness :: Double
 surfaceThickness = 1e-10
 
--- | The part of its radius within which a point is on the curved surface around an axis, neither inside nor outside. The radius squared is known to
--- some 2^-51 of the squared distance from which the ray came, so a hit point is within this as long as the ray starts no farther away than some
--- 10^4 radii.
+-- | The part of its radius within which a point is on the curved surface around an axis, neither inside nor outside.
+-- The radius squared is known to some 2^-51 of the squared distance from which the ray came, so a hit point is within
+-- this as long as the ray starts no farther away than some 10^4 radii.
 --
 -- Spec: numbers.tolerances, geometry.cylinder.contains, geometry.torus.contains, geometry.contains.surface.
 roundThickness :: Double
 roundThickness = 1e-7
 
--- | The distance within which a point is on the end plane of a shape around an axis, in the scene's unit of length. It exceeds a few roundings of
--- coordinates up to some 10^5.
+-- | The distance within which a point is on the end plane of a shape around an axis, in the scene's unit of length. It
+-- exceeds a few roundings of coordinates up to some 10^5.
 --
 -- Spec: numbers.tolerances, geometry.cylinder.contains, geometry.contains.surface.
 endThickness :: Double
 endThickness = 1e-10
 
--- | The faces and the side of a lens overlap at the rim by this part of the parameters that meet there: 2^-49. Each is a sum of two numbers, the larger
--- of which carries the rounding of a position (2 units of 2^-53), of a product (1) and of the sum itself (1); two of them thus
--- differ by less than 8 units, and the overlap is 16.
+-- | The faces and the side of a lens overlap at the rim by this part of the parameters that meet there: 2^-49. Each is
+-- a sum of two numbers, the larger of which carries the rounding of a position (2 units of 2^-53), of a product (1) and
+-- of the sum itself (1); two of them thus differ by less than 8 units, and the overlap is 16.
 --
 -- Spec: numbers.tolerances, geometry.lens.rim.
 rimOverlap :: Double

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Math.Transform
 -- Description : Scale, turn and move
 --
--- The transformation that the scene language writes: a scale along the axes, then rotations about the x, y and z axes in this order,
--- in degrees, then a translation. On column vectors:
+-- The transformation that the scene language writes: a scale along the axes, then rotations about the x, y and z axes
+-- in this order, in degrees, then a translation. On column vectors:
 --
 -- > M = T Rz Ry Rx S
 -- >
@@ -25,12 +25,13 @@
 --
 -- > L^-1 = S^-1 Rx^T Ry^T Rz^T        p = L^-1 (p' - T)
 --
--- A turn by a multiple of 90 degrees is exact: the angle is reduced, without rounding, to between -45 and 45 degrees and a number of
--- quarter turns, before sine and cosine see it. They are the only functions here that another system may round otherwise.
+-- A turn by a multiple of 90 degrees is exact: the angle is reduced, without rounding, to between -45 and 45 degrees
+-- and a number of quarter turns, before sine and cosine see it. They are the only functions here that another system
+-- may round otherwise.
 --
--- Normals do not move as directions do: a plane \<n, p> = 0 is carried to \<n', p'> = 0 with n' = (L^-1)^T n. Source: G. Turk, "Transformation
--- of surface normal vectors" (1990), or M. Pharr, W. Jakob, G. Humphreys, /Physically Based Rendering/, section 3.10.3,
--- <https://pbr-book.org/4ed/Geometry_and_Transformations/Applying_Transformations>.
+-- Normals do not move as directions do: a plane \<n, p> = 0 is carried to \<n', p'> = 0 with n' = (L^-1)^T n. Source:
+-- G. Turk, "Transformation of surface normal vectors" (1990), or M. Pharr, W. Jakob, G. Humphreys, /Physically Based
+-- Rendering/, section 3.10.3, <https://pbr-book.org/4ed/Geometry_and_Transformations/Applying_Transformations>.
 module Dioptre.Math.Transform
   ( -- * As it is written
     Transform,

@@ -8,7 +8,8 @@
 -- in a right-handed frame. They are "Linear"'s 'V3' over 'Double', so the whole vocabulary of that library works
 -- on them; this module names the part the tracer speaks, and adds what it says differently:
 --
--- * 'unit' is there for every finite vector but zero (the library's @normalize@ leaves vectors shorter than 1e-6 as they are);
+-- * 'unit' is there for every finite vector but zero (the library's @normalize@ leaves vectors shorter than 1e-6 as
+--   they are);
 -- * 'angle' keeps its accuracy for nearly parallel vectors.
 --
 -- The order of operations is part of each rule: with it every program that computes in binary64 gets the same bits.
@@ -121,12 +122,13 @@ distance a b = modulus (b - a)
 
 -- | The angle between two vectors, in radians, from 0 to pi; 0 where one of them is zero.
 --
--- It is atan2 (|a x b|, a . b). The textbook's acos (a . b \/ |a| |b|) has an error of sqrt epsilon near 0 and pi, because the
--- cosine is flat there; the tangent is not. Source: W. Kahan, "How futile are mindless assessments of roundoff",
--- section 12.
+-- It is atan2 (|a x b|, a . b). The textbook's acos (a . b \/ |a| |b|) has an error of sqrt epsilon near 0 and pi,
+-- because the cosine is flat there; the tangent is not. Source: W. Kahan, "How futile are mindless assessments of
+-- roundoff", section 12.
 --
--- Both vectors are first brought near the length 1 by a power of two, which changes neither digits nor the angle, so that no product leaves the range. The zero vector is looked for, since its
--- dot product may be -0, and atan2 (0, -0) is pi.
+-- Both vectors are first brought near the length 1 by a power of two, which changes neither digits nor the angle, so
+-- that no product leaves the range. The zero vector is looked for, since its dot product may be -0, and atan2 (0, -0)
+-- is pi.
 --
 -- >>> angle (V3 1 0 0) (V3 0 2 0) == pi / 2
 -- True
@@ -195,9 +197,9 @@ opposite :: Unit -> Unit
 opposite (Unit v) = Unit (negate v)
 {-# INLINE opposite #-}
 
--- | What holds of every 'Unit': its quadrance, as computed, is within 10 units of rounding (2^-53) of 1. The first quadrance errs by at most 3 units of
--- itself, which the square root halves, and adds 1 of its own; the division adds 1: each component errs by 3.5. The square doubles that to 7, and
--- computing it adds 3.
+-- | What holds of every 'Unit': its quadrance, as computed, is within 10 units of rounding (2^-53) of 1. The first
+-- quadrance errs by at most 3 units of itself, which the square root halves, and adds 1 of its own; the division adds
+-- 1: each component errs by 3.5. The square doubles that to 7, and computing it adds 3.
 valid :: Unit -> Bool
 valid (Unit v) = abs (quadrance v - 1) <= 10 * 2 ** (-53)
 
@@ -207,8 +209,8 @@ alongX = Unit (V3 1 0 0)
 alongY = Unit (V3 0 1 0)
 alongZ = Unit (V3 0 0 1)
 
--- | A vector as it is stored in what the inner loop reads: three plain numbers. 'V3' is polymorphic, so that a stored @V3 Double@
--- holds three pointers to boxed numbers; this costs half the speed of a sphere.
+-- | A vector as it is stored in what the inner loop reads: three plain numbers. 'V3' is polymorphic, so that a stored
+-- @V3 Double@ holds three pointers to boxed numbers; this costs half the speed of a sphere.
 data Packed = Packed !Double !Double !Double
   deriving stock (Eq, Show)
 

@@ -5,20 +5,23 @@
 -- Module      : Dioptre.Model.Agp
 -- Description : Strokes drawn as tubes
 --
--- An AGP file holds curves, each as a list of points: a line of all their x, then one of all their y, then one of all their z.
+-- An AGP file holds curves, each as a list of points: a line of all their x, then one of all their y, then one of all
+-- their z.
 --
 -- > curve 1                   a line that begins with no number says nothing
 -- > 0,0  1,0  1,5             x
 -- > 0,0  0,0  0,5             y         (0, 0, 0) === (1, 0, 0) === (1.5, 0.5, 1)
 -- > 0,0  0,0  1,0             z
 --
--- Numbers may have a decimal comma, and are separated by blanks. From each point to the next leads a tube; all have one radius and one colour.
+-- Numbers may have a decimal comma, and are separated by blanks. From each point to the next leads a tube; all have one
+-- radius and one colour.
 --
 -- > file  = *(other / curve)
 -- > curve = row row row            ; of equally many numbers; the first one begins with a number
 -- > row   = real *(1*blank real)   ; a comma may stand for the point
 --
--- A line that begins like a number is taken for a row that is meant as one, so that what follows a curve with a slip in it keeps its place.
+-- A line that begins like a number is taken for a row that is meant as one, so that what follows a curve with a slip in
+-- it keeps its place.
 module Dioptre.Model.Agp
   ( readAgp,
     tubeRadius,

@@ -2,8 +2,9 @@
 -- Module      : Dioptre.Model.Growing
 -- Description : Vectors that grow at their end
 --
--- How many vertices a model has is known only when its file has been read. A growing vector takes numbers at its end; when its room is used up, it moves to twice the room,
--- so that n numbers are moved fewer than n times in all, and never have room for more than 2n (or some first few).
+-- How many vertices a model has is known only when its file has been read. A growing vector takes numbers at its end;
+-- when its room is used up, it moves to twice the room, so that n numbers are moved fewer than n times in all, and
+-- never have room for more than 2n (or some first few).
 --
 -- > |1 2 3 4|        then 5:        |1 2 3 4 5 . . .|
 module Dioptre.Model.Growing
@@ -106,7 +107,8 @@ pad g n x = do
 clear :: Growing s a -> ST s ()
 clear (Growing count _) = put count 0
 
--- | The numbers, in no more room than they need. The growing vector is empty thereafter, and its room free to be used for something else.
+-- | The numbers, in no more room than they need. The growing vector is empty thereafter, and its room free to be used
+-- for something else.
 settled :: Unbox a => Growing s a -> ST s (Vector a)
 settled = settledAs id
 {-# INLINE settled #-}

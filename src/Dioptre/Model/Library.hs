@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Model.Library
 -- Description : The models that a scene needs
 --
--- Each model once, however often the scene or other models name it: what repeats is an 'Instance', a number and a transformation.
+-- Each model once, however often the scene or other models name it: what repeats is an 'Instance', a number and a
+-- transformation.
 module Dioptre.Model.Library
   ( Library (..),
     Instance (..),

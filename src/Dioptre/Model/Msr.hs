@@ -46,7 +46,8 @@ data Msr = Msr
   }
   deriving stock (Eq, Show)
 
--- | The model that a tree describes. Total, as 'Dioptre.Scene.Check.checkScene' is: what cannot be used is told and left out.
+-- | The model that a tree describes. Total, as 'Dioptre.Scene.Check.checkScene' is: what cannot be used is told and
+-- left out.
 --
 -- Spec: models.materials, models.msr.
 readMsr :: Tree -> Msr

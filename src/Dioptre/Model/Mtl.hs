@@ -14,9 +14,10 @@
 -- > Ns 1000                        the exponent of highlights
 -- > map_Kd -s 2 2 2 gold leaf.png  a picture in the place of Kd; likewise map_Ka, map_Ks
 --
--- Lines with other words are passed over: materials of models mirror nothing and let nothing through. So are the options before the name of a picture. Whatever a material does not say it has
--- from 'unsaid'. A line whose last character is a backslash goes on in the next one. Source: D. Ramey, L. Rose, L. Tyerman, "MTL material
--- format", Alias|Wavefront 1995, <http://paulbourke.net/dataformats/mtl/>.
+-- Lines with other words are passed over: materials of models mirror nothing and let nothing through. So are the
+-- options before the name of a picture. Whatever a material does not say it has from 'unsaid'. A line whose last
+-- character is a backslash goes on in the next one. Source: D. Ramey, L. Rose, L. Tyerman, "MTL material format",
+-- Alias|Wavefront 1995, <http://paulbourke.net/dataformats/mtl/>.
 module Dioptre.Model.Mtl
   ( Mtl (..),
     readMtl,
@@ -83,8 +84,9 @@ matt ambient diffuse specular =
       finishIndex = 1
     }
 
--- | The finishes of the materials of these names, from the first library that has each; and the names that none has, for which 'unknown' stands in. The
--- material @default@ is always there: where none is called so, it is what a library says before any @newmtl@, or else 'unsaid'.
+-- | The finishes of the materials of these names, from the first library that has each; and the names that none has,
+-- for which 'unknown' stands in. The material @default@ is always there: where none is called so, it is what a library
+-- says before any @newmtl@, or else 'unsaid'.
 --
 -- Spec: models.obj.materials, models.obj.unknown-material.
 finishesOf :: [Mtl picture] -> [Text] -> ([Finish picture], [Text])

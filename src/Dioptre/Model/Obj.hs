@@ -14,12 +14,12 @@
 -- > f  1 2 3                  a polygon of three corners or more, by the numbers of their vertices; each corner is
 -- >                           i, i/t, i//n or i/t/n: vertex, texture coordinate, normal
 --
--- Numbers count from 1 in the order of the file; negative ones count back from the line (-1 is the last vertex before it). Further numbers of a v, vt or vn (w, a colour)
--- are passed over, and so are lines with other words (o, g, s, l ...). Source: Paul Bourke's copy of the format's description,
--- <http://paulbourke.net/dataformats/obj/>.
+-- Numbers count from 1 in the order of the file; negative ones count back from the line (-1 is the last vertex before
+-- it). Further numbers of a v, vt or vn (w, a colour) are passed over, and so are lines with other words (o, g, s, l
+-- ...). Source: Paul Bourke's copy of the format's description, <http://paulbourke.net/dataformats/obj/>.
 --
--- The file is read in one go, in pieces of any size, into flat vectors: what is kept of it is its triangles, and never its text.
--- A fault costs a line or a face, never the model. See Note [Before its face].
+-- The file is read in one go, in pieces of any size, into flat vectors: what is kept of it is its triangles, and never
+-- its text. A fault costs a line or a face, never the model. See Note [Before its face].
 --
 -- > pieces --> lines --> vertices --+--> triangles --> mesh
 -- >              |                  |
@@ -27,7 +27,8 @@
 -- >              |                  |
 -- >              +---> materials ---+
 --
--- Each of these is a module below this one; faults may turn up in all of them, and come together in "Dioptre.Model.Obj.Faults".
+-- Each of these is a module below this one; faults may turn up in all of them, and come together in
+-- "Dioptre.Model.Obj.Faults".
 module Dioptre.Model.Obj
   ( -- * What is read
     Obj (..),
@@ -74,9 +75,11 @@ data Obj = Obj
     objLibraries :: [Named],
     -- | How much there is.
     objCounts :: Counts,
-    -- | What is wrong, in the order of the file: 'Dioptre.Source.Diagnostic.keptInFull' faults and the number of the others, and what is told of all faces at once.
+    -- | What is wrong, in the order of the file: 'Dioptre.Source.Diagnostic.keptInFull' faults and the number of the
+    -- others, and what is told of all faces at once.
     objDiagnostics :: [Diagnostic],
-    -- | The lines that places in here point to, by their numbers, for messages ('Dioptre.Source.Text.excerpts'). Of long ones, the beginning.
+    -- | The lines that places in here point to, by their numbers, for messages ('Dioptre.Source.Text.excerpts'). Of
+    -- long ones, the beginning.
     objLines :: [(Int, Text)]
   }
   deriving stock (Eq, Show)
@@ -149,7 +152,6 @@ statement r line@(Line bytes _ _)
       | word `Bytes.isPrefixOf` Bytes.drop start bytes && endsAt (start + Bytes.length word) = Just (blanksFrom bytes (start + Bytes.length word))
       | otherwise = Nothing
 
--- Note [Before its face]
--- ~~~~~~~~~~~~~~~~~~~~~~
--- A face may use what stands before it in the file, and nothing behind: with that, a triangle is looked at once, and a
--- fault is told with its line. Files with the faces first would need their text to be kept, or their faces to be gone through again.
+-- Note [Before its face] ~~~~~~~~~~~~~~~~~~~~~~ A face may use what stands before it in the file, and nothing behind:
+-- with that, a triangle is looked at once, and a fault is told with its line. Files with the faces first would need
+-- their text to be kept, or their faces to be gone through again.

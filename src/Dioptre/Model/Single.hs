@@ -5,8 +5,9 @@
 -- Module      : Dioptre.Model.Single
 -- Description : Decimal numbers of single precision, quickly
 --
--- Models are written in decimals, a hundred megabytes of them, and mean numbers of single precision (IEEE 754 binary32): the nearest one to the decimal,
--- of two that are equally near the one whose last bit is 0. They are kept as doubles, which hold every single exactly.
+-- Models are written in decimals, a hundred megabytes of them, and mean numbers of single precision (IEEE 754
+-- binary32): the nearest one to the decimal, of two that are equally near the one whose last bit is 0. They are kept as
+-- doubles, which hold every single exactly.
 --
 -- > number = [sign] (1*digit ["." *digit] / "." 1*digit) [("e" / "E") [sign] 1*digit]
 -- > sign   = "+" / "-"
@@ -52,8 +53,8 @@ single word
   where
     Scanned end x = scan word 0
 
--- | What stands at a place of a line: where it ends, and its value. The value is NaN where it is not a number, and infinite where it is
--- one beyond single precision (from 2^128 - 2^103, some 3.4e38, on).
+-- | What stands at a place of a line: where it ends, and its value. The value is NaN where it is not a number, and
+-- infinite where it is one beyond single precision (from 2^128 - 2^103, some 3.4e38, on).
 data Scanned = Scanned {-# UNPACK #-} !Int {-# UNPACK #-} !Double
   deriving stock (Show)
 
@@ -82,7 +83,8 @@ scan line from = whole start 0
       | i < n, isDigit (at i) = fraction (i + 1) first (10 * m + digit (at i))
       | i - 1 == start = noNumber
       | otherwise = mantissa i (first - i) (i - start - 1) m
-    -- The digits before this place, without the point, are so many, and make m; it is to be multiplied with ten to the e.
+    -- The digits before this place, without the point, are so many, and make m; it is to be multiplied with ten to the
+    -- e.
     mantissa :: Int -> Int -> Int -> Int -> Scanned
     mantissa !i !e !count !m
       | i == n || isBlank (at i) = value i i e count m
@@ -112,7 +114,8 @@ scan line from = whole start 0
         far = double2Float (about * (1 + margin))
     noNumber = Scanned (wordFrom line from) (0 / 0)
 
--- | How far, in parts of itself, a product or quotient of doubles may be from the decimal that it stands for, and more: 2^-50. See Note [Two roundings].
+-- | How far, in parts of itself, a product or quotient of doubles may be from the decimal that it stands for, and more:
+-- 2^-50. See Note [Two roundings].
 margin :: Double
 margin = 1 / 1125899906842624
 
@@ -129,7 +132,8 @@ largestPower = 60
 tenTo :: Int -> Double
 tenTo = Vector.unsafeIndex powers
 
--- | The single nearest to these digits, passing over a point among them, times ten to that exponent; by arithmetic without rounding. See Note [Enough digits].
+-- | The single nearest to these digits, passing over a point among them, times ten to that exponent; by arithmetic
+-- without rounding. See Note [Enough digits].
 exactly :: ByteString -> Int -> Double
 exactly text e
   | Bytes.null significant = 0
@@ -151,23 +155,23 @@ zero = 48
 smallE = 101
 largeE = 69
 
--- Note [Two roundings]
--- ~~~~~~~~~~~~~~~~~~~~
--- The decimal is x = m 10^e with m an integer of at most 18 digits. Rounded to a double, m is off by at most u = 2^-53 of itself, so is the power of ten, and so is
--- their product or quotient y: altogether y = x (1 + d) with |d| < 3.1 u. Rounding y to a single would round a second time, and could end
--- one unit away from the right one: 1.000000059604644775390626 is above the middle between 1 and its next single, but its nearest double is
--- the middle, which goes to 1.
+-- Note [Two roundings] ~~~~~~~~~~~~~~~~~~~~ The decimal is x = m 10^e with m an integer of at most 18 digits. Rounded
+-- to a double, m is off by at most u = 2^-53 of itself, so is the power of ten, and so is their product or quotient y:
+-- altogether y = x (1 + d) with |d| < 3.1 u. Rounding y to a single would round a second time, and could end one unit
+-- away from the right one: 1.000000059604644775390626 is above the middle between 1 and its next single, but its
+-- nearest double is the middle, which goes to 1.
 --
--- Rounding is monotone, so it is enough to round both ends of an interval around x: where they agree, so does x. With the margin 2^-50 = 8 u, the ends y (1 - 8 u) and y (1 + 8 u), each
--- computed with one more rounding u, still have x between them, as 8 u - u > 3.1 u. Where they do not agree, x is within 12 u of the
--- middle between two singles, which happens to about one number in thirty million, and to those that are such a middle.
+-- Rounding is monotone, so it is enough to round both ends of an interval around x: where they agree, so does x. With
+-- the margin 2^-50 = 8 u, the ends y (1 - 8 u) and y (1 + 8 u), each computed with one more rounding u, still have x
+-- between them, as 8 u - u > 3.1 u. Where they do not agree, x is within 12 u of the middle between two singles, which
+-- happens to about one number in thirty million, and to those that are such a middle.
 --
--- Nothing overflows on the way (m 10^60 < 10^78), and nothing underflows (10^-60); singles below 2^-126, which have fewer bits, and those that
--- are too large are rounded by the processor as by the standard, and the argument holds for them too.
+-- Nothing overflows on the way (m 10^60 < 10^78), and nothing underflows (10^-60); singles below 2^-126, which have
+-- fewer bits, and those that are too large are rounded by the processor as by the standard, and the argument holds for
+-- them too.
 
--- Note [Enough digits]
--- ~~~~~~~~~~~~~~~~~~~~
--- A word may be a million digits long. The middle between two singles is M 2^-150 with M < 2^25, or an integer; that is M 5^150 / 10^150,
--- which has at most 113 significant digits (and an integer below 2^129 has 39). So the first 200 digits, with a digit 1 after them if anything but zeros follows, lie on
--- the same side of every middle as the whole number does. Of a number 0.ddd times ten to the k the singles end at k = 39 (10^38 < 2^128 < 10^39),
--- and halves of the smallest one, 2^-150 > 10^-46, at k = -45.
+-- Note [Enough digits] ~~~~~~~~~~~~~~~~~~~~ A word may be a million digits long. The middle between two singles is M
+-- 2^-150 with M < 2^25, or an integer; that is M 5^150 / 10^150, which has at most 113 significant digits (and an
+-- integer below 2^129 has 39). So the first 200 digits, with a digit 1 after them if anything but zeros follows, lie on
+-- the same side of every middle as the whole number does. Of a number 0.ddd times ten to the k the singles end at k =
+-- 39 (10^38 < 2^128 < 10^39), and halves of the smallest one, 2^-150 > 10^-46, at k = -45.

@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Model.Words
 -- Description : The words of a line as places, and the bytes that separate them
 --
--- A line of a model is words with blanks between them. To go through a hundred megabytes of them, nothing is cut out: a word is where it begins and
--- where it ends.
+-- A line of a model is words with blanks between them. To go through a hundred megabytes of them, nothing is cut out: a
+-- word is where it begins and where it ends.
 --
 -- > v -1.5 2      wordFrom 2 = 6, blanksFrom 6 = 7
 -- > 01234567
@@ -52,7 +52,8 @@ wordFrom line = go
       | i < Bytes.length line, not (isBlank (byteAt line i)) = go (i + 1)
       | otherwise = i
 
--- | The byte at a place of a line. It is not looked whether the place is in the line, from 0 to below its length: the caller has done so. See Note [Bytes without boxes].
+-- | The byte at a place of a line. It is not looked whether the place is in the line, from 0 to below its length: the
+-- caller has done so. See Note [Bytes without boxes].
 byteAt :: ByteString -> Int -> Word8
 byteAt line i = case toForeignPtr line of
   (bytes, offset, _) -> accursedUnutterablePerformIO (unsafeWithForeignPtr bytes (\p -> peekByteOff p (offset + i)))
@@ -95,9 +96,8 @@ hash = 35
 backslash :: Word8
 backslash = 92
 
--- Note [Bytes without boxes]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~~
--- 'Data.ByteString.Unsafe.unsafeIndex' as compiled by GHC 9.0 keeps the string alive around the reading of a byte with a primitive that the optimiser
--- does not see through: each byte costs a closure and a box, 40 bytes, and half the time of reading a model. Here the string is
--- touched after the byte has been read, which is enough where reading cannot fail to return. Reading a byte of a string, which never changes, has no effect that anyone
--- could see, so that it may be called a function.
+-- Note [Bytes without boxes] ~~~~~~~~~~~~~~~~~~~~~~~~~~ 'Data.ByteString.Unsafe.unsafeIndex' as compiled by GHC 9.0
+-- keeps the string alive around the reading of a byte with a primitive that the optimiser does not see through: each
+-- byte costs a closure and a box, 40 bytes, and half the time of reading a model. Here the string is touched after the
+-- byte has been read, which is enough where reading cannot fail to return. Reading a byte of a string, which never
+-- changes, has no effect that anyone could see, so that it may be called a function.

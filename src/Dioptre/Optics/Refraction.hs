@@ -9,8 +9,9 @@
 -- >       |\   n2
 -- >       | \ T         nothing passes where c^2 + (n2 / n1)^2 < 1
 --
--- Snell's law as a rule for vectors: the part of T across N is r times that of v, which is the law of sines, and the part along N is what
--- makes T unit. Source: A. S. Glassner (ed.), An Introduction to Ray Tracing, 1989, chapter 4, section 5.
+-- Snell's law as a rule for vectors: the part of T across N is r times that of v, which is the law of sines, and the
+-- part along N is what makes T unit. Source: A. S. Glassner (ed.), An Introduction to Ray Tracing, 1989, chapter 4,
+-- section 5.
 module Dioptre.Optics.Refraction
   ( refracted,
   )
@@ -19,8 +20,8 @@ where
 import Dioptre.Math.Order (larger)
 import Dioptre.Math.Vector (Unit, Vector, dot, vector, (*^))
 
--- | The direction in which unit v goes on through a surface with unit normal N turned against it, from a medium of index n1 into
--- one of index n2; 'Nothing' where all of it is reflected. Equal indices change nothing, at any angle.
+-- | The direction in which unit v goes on through a surface with unit normal N turned against it, from a medium of
+-- index n1 into one of index n2; 'Nothing' where all of it is reflected. Equal indices change nothing, at any angle.
 --
 -- Laws: n1 sin a1 = n2 sin a2; v, N and T lie in one plane; going back along T returns along v.
 --

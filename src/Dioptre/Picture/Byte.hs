@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Picture.Byte
 -- Description : From amounts of light to bytes
 --
--- The last thing that happens to a colour: channels brighter than 1 are brought back into range, and each becomes one of 256 levels.
--- There is no gamma: levels are linear, as in the original.
+-- The last thing that happens to a colour: channels brighter than 1 are brought back into range, and each becomes one
+-- of 256 levels. There is no gamma: levels are linear, as in the original.
 module Dioptre.Picture.Byte
   ( Pixel (..),
     pixelOf,
@@ -50,8 +50,8 @@ normalized how (Colour r g b a) = case how of
   where
     toOne = smaller 1
 
--- | The level of a channel between 0 and 1, rounded half up: trunc (double (float c * 255) + 0.5), with the product in binary32, as
--- in the original. Below 0 (or NaN) it is 0, above 1 it is 255.
+-- | The level of a channel between 0 and 1, rounded half up: trunc (double (float c * 255) + 0.5), with the product in
+-- binary32, as in the original. Below 0 (or NaN) it is 0, above 1 it is 255.
 --
 -- >>> map level [0, 0.25, 0.5, 0.75, 1]
 -- [0,64,128,191,255]

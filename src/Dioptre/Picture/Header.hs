@@ -5,8 +5,9 @@
 -- Module      : Dioptre.Picture.Header
 -- Description : How large a file says that its picture is
 --
--- A file of a hundred bytes may say that it is a picture of four thousand million pixels, and a decoder that believes it takes all memory before it finds out. So it is looked up first what the file
--- says, and a picture is refused that is too large to be kept, or larger than its bytes can describe.
+-- A file of a hundred bytes may say that it is a picture of four thousand million pixels, and a decoder that believes
+-- it takes all memory before it finds out. So it is looked up first what the file says, and a picture is refused that
+-- is too large to be kept, or larger than its bytes can describe.
 --
 -- > format   begins with    says its size
 -- > PNG      89 "PNG"       width and height, 4 bytes each, the high one first, from byte 16 on
@@ -15,7 +16,8 @@
 -- > JPEG     FF D8          in the header of each frame: height, then width, 2 bytes each, the high one first
 -- > TGA      anything else  from byte 12 on: 2 bytes each, the low one first
 --
--- Sources: ISO\/IEC 15948 (PNG), 11.2.2; CompuServe's GIF89a specification, 20; ITU-T T.81 (JPEG), B.1 and B.2.2; Truevision's TGA specification 2.0.
+-- Sources: ISO\/IEC 15948 (PNG), 11.2.2; CompuServe's GIF89a specification, 20; ITU-T T.81 (JPEG), B.1 and B.2.2;
+-- Truevision's TGA specification 2.0.
 module Dioptre.Picture.Header
   ( Format (..),
     formatOf,
@@ -66,12 +68,13 @@ pixelsOf bytes = case formatOf bytes of
 mostPixelsRead :: Integer
 mostPixelsRead = 67108864
 
--- | Whether a file says that it has more pixels than 'mostPixelsRead', or than 10,000 for each of its bytes: PNG comes to 8256 (1032 bytes out of one, as Deflate does at most, and 8 pixels each), the
--- others to fewer.
+-- | Whether a file says that it has more pixels than 'mostPixelsRead', or than 10,000 for each of its bytes: PNG comes
+-- to 8256 (1032 bytes out of one, as Deflate does at most, and 8 pixels each), the others to fewer.
 isTooLarge :: ByteString -> Bool
 isTooLarge bytes = pixelsOf bytes > min mostPixelsRead (10000 * toInteger (Bytes.length bytes))
 
--- | Whether the head of a file can be that of a TGA: with or without a palette, of one of the kinds that have pixels, of a depth that there is. No text is like that, as its bytes are larger.
+-- | Whether the head of a file can be that of a TGA: with or without a palette, of one of the kinds that have pixels,
+-- of a depth that there is. No text is like that, as its bytes are larger.
 --
 -- >>> map mayBeTga ["\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\24\0", "a text and no picture"]
 -- [True,False]

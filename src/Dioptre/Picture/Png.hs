@@ -65,9 +65,9 @@ fromDynamic dynamic
   where
     Image w h pixels = convertRGBA8 dynamic
 
--- | The picture in a file of that name, as textures want it: row 0 is at the top, except in a TGA file, whose rows stay in the order
--- in which it stores them. JuicyPixels turns the rows of a TGA that are stored from the bottom up (bit 5 of byte 17 is 0), so
--- they are turned back.
+-- | The picture in a file of that name, as textures want it: row 0 is at the top, except in a TGA file, whose rows stay
+-- in the order in which it stores them. JuicyPixels turns the rows of a TGA that are stored from the bottom up (bit 5
+-- of byte 17 is 0), so they are turned back.
 --
 -- Spec: models.texture.formats, models.texture.rows.
 decodeTexture :: FilePath -> ByteString -> Either PictureFault Picture
@@ -79,7 +79,8 @@ decodeTexture path bytes
     storedOrder p
       | Bytes.length bytes > 17 && not (testBit (Bytes.index bytes 17) 5) = turned p
       | otherwise = p
-    -- JuicyPixels fills up what is missing with black. What has no run lengths (kinds 1 to 3) has a known size: header, name, palette, pixels.
+    -- JuicyPixels fills up what is missing with black. What has no run lengths (kinds 1 to 3) has a known size: header,
+    -- name, palette, pixels.
     isCutOff = Bytes.length bytes < 18 || (byte 2 <= 3 && Bytes.length bytes < 18 + byte 0 + word 5 * ((byte 7 + 7) `div` 8) + word 12 * word 14 * ((byte 16 + 7) `div` 8))
     byte i = fromIntegral (Bytes.index bytes i) :: Int
     word i = byte i + 256 * byte (i + 1)

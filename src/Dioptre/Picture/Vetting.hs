@@ -4,8 +4,10 @@
 -- Module      : Dioptre.Picture.Vetting
 -- Description : What a decoder can be given
 --
--- JuicyPixels reads and writes some memory without looking whether it is its own: where a PNG has fewer pixels than its header says, where a pixel names a colour beyond its palette, where
--- the codes of a GIF have more bits than GIF knows. A file of that kind ends the program at once, or spoils its memory. So the few things that the decoder relies on are looked up before it is asked:
+-- JuicyPixels reads and writes some memory without looking whether it is its own: where a PNG has fewer pixels than its
+-- header says, where a pixel names a colour beyond its palette, where the codes of a GIF have more bits than GIF knows.
+-- A file of that kind ends the program at once, or spoils its memory. So the few things that the decoder relies on are
+-- looked up before it is asked:
 --
 -- * a PNG has a depth that its kind of colours may have, and as many bytes, once they are inflated, as its rows take;
 -- * a palette has a colour for every number that a pixel can hold: what is missing is black;
@@ -29,7 +31,8 @@ import Data.Word (Word32, Word8)
 import Dioptre.Picture.Header (Format (..), big, formatOf)
 import Dioptre.Source.Diagnostic (PictureFault (..))
 
--- | The file as its decoder can be given it, or why it cannot. Files of the other formats stay as they are. Linear in the size of the file and in that of its picture.
+-- | The file as its decoder can be given it, or why it cannot. Files of the other formats stay as they are. Linear in
+-- the size of the file and in that of its picture.
 vetted :: ByteString -> Either PictureFault ByteString
 vetted bytes = case formatOf bytes of
   Png -> png bytes
@@ -78,7 +81,8 @@ png bytes = case chunks (Bytes.drop 8 bytes) of
         [] -> False
         n : more -> reaches (wanted - n) more
 
--- | How many bytes the rows of so many bits a pixel take, with the byte that each row begins with; in the seven passes of Adam7, or in one.
+-- | How many bytes the rows of so many bits a pixel take, with the byte that each row begins with; in the seven passes
+-- of Adam7, or in one.
 rawSize :: Bool -> Integer -> Integer -> Integer -> Integer
 rawSize interlaced bits w h
   | interlaced = sum [pass ((w + dx - x - 1) `div` dx) ((h + dy - y - 1) `div` dy) | (x, y, dx, dy) <- adam7]

@@ -6,8 +6,8 @@
 -- Module      : Dioptre.Render.Closest
 -- Description : What a ray meets first
 --
--- The question that a ray tracer asks most. In a small world everything is tried, one shape after the other; in others the ray is led through boxes, into the frames of models and to their triangles
--- ("Dioptre.Geometry.Hierarchy").
+-- The question that a ray tracer asks most. In a small world everything is tried, one shape after the other; in others
+-- the ray is led through boxes, into the frames of models and to their triangles ("Dioptre.Geometry.Hierarchy").
 module Dioptre.Render.Closest
   ( closest,
   )
@@ -28,7 +28,8 @@ import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), 
 
 -- | What a ray meets first, nearer than a bound.
 --
--- Law: as sorting all the hits of all shapes and taking the first. Cost: like the logarithm of the number of shapes that have an end, where they are spread out.
+-- Law: as sorting all the hits of all shapes and taking the first. Cost: like the logarithm of the number of shapes
+-- that have an end, where they are spread out.
 --
 -- Spec: geometry.hit.closest, geometry.hit.tie, geometry.hit.index, camera.far.
 closest :: World -> Ray -> Double -> Closest
@@ -60,7 +61,8 @@ closestInRange a !r !from !end before@(Closest t0 number0 tests) = go from t0 nu
          in if precedes t mine best number then go (place + 1) t mine else go (place + 1) best number
 {-# NOINLINE closestInRange #-}
 
--- | The same for the shapes of a group's instances, after what was found before. (What was tried is counted in each body.)
+-- | The same for the shapes of a group's instances, after what was found before. (What was tried is counted in each
+-- body.)
 closestInstance :: Group -> Ray -> Closest -> Closest
 closestInstance g r c = case descend (boxes a) (approach r) within range c of
   Tried found _ -> found

@@ -6,7 +6,8 @@
 -- Module      : Dioptre.Render.Obstacles
 -- Description : What stands between a point and a light
 --
--- A shadow ray does not ask what comes first: the first thing found that lets nothing through is the answer. What lets light through is gathered.
+-- A shadow ray does not ask what comes first: the first thing found that lets nothing through is the answer. What lets
+-- light through is gathered.
 module Dioptre.Render.Obstacles
   ( Obstacles (..),
     obstacles,

@@ -2,8 +2,8 @@
 -- Module      : Dioptre.Render.Parallel
 -- Description : Rows, computed by several workers
 --
--- Workers take the next row that nobody has, compute it with the pure function, and hand it over. Rows of uneven cost even out; the order in
--- which rows come is nobody's business, as each knows its place.
+-- Workers take the next row that nobody has, compute it with the pure function, and hand it over. Rows of uneven cost
+-- even out; the order in which rows come is nobody's business, as each knows its place.
 module Dioptre.Render.Parallel
   ( inParallel,
     workersAmong,
@@ -16,8 +16,8 @@ import Control.Monad (when)
 import Data.IORef (atomicModifyIORef', newIORef)
 import Data.Maybe (fromMaybe)
 
--- | Computes the values of a function at 0, 1, ... n - 1, each once, by that many workers, and hands each over as soon as it
--- is there. What receives them may be called by several workers at once. An exception ends all of them.
+-- | Computes the values of a function at 0, 1, ... n - 1, each once, by that many workers, and hands each over as soon
+-- as it is there. What receives them may be called by several workers at once. An exception ends all of them.
 --
 -- Law: what is handed over does not depend on the number of workers.
 --
@@ -33,7 +33,8 @@ inParallel workers n compute receive = do
           work
   replicateConcurrently_ (max 1 (min n workers)) work
 
--- | How many workers there are to be among so many processors, where a number may be wished for: no more than processors, since more would only take memory, and no more than 'mostWorkers'.
+-- | How many workers there are to be among so many processors, where a number may be wished for: no more than
+-- processors, since more would only take memory, and no more than 'mostWorkers'.
 --
 -- >>> map (workersAmong 8) [Nothing, Just 3, Just 100000000]
 -- [8,3,8]

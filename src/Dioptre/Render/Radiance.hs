@@ -6,15 +6,16 @@
 -- Module      : Dioptre.Render.Radiance
 -- Description : The colour that a ray sees
 --
--- What a ray meets first is lit ("Dioptre.Render.Shade"); a mirror adds what the reflected ray sees, and a transparent body
--- what the refracted ray sees:
+-- What a ray meets first is lit ("Dioptre.Render.Shade"); a mirror adds what the reflected ray sees, and a transparent
+-- body what the refracted ray sees:
 --
 -- > colour = lit by all lights
 -- >        + kr . colour of the reflected ray
 -- >        + kt . colour of the refracted ray       (tinted where it enters)
 --
--- The equation is recursive (J. T. Kajiya, "The rendering equation", SIGGRAPH 1986, with mirrors and bodies alone; T. Whitted,
--- "An improved illumination model for shaded display", CACM 23(6), 1980); the program is a loop. See Note [Rays as a stack].
+-- The equation is recursive (J. T. Kajiya, "The rendering equation", SIGGRAPH 1986, with mirrors and bodies alone; T.
+-- Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980); the program is a loop. See Note
+-- [Rays as a stack].
 --
 -- Specification: 7.3, 7.4 and 7.6.
 module Dioptre.Render.Radiance
@@ -102,16 +103,19 @@ radiance s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1
     next !tally (pending `Then` rest) = follow tally pending rest
     told cut (Tally followed shadows tests red' green' blue') = Seen (rgb red' green' blue') (followed + shadows) tests cut
 
--- | What is known so far: how many rays were followed, how many shadow rays and how many tests there were, and the red, green and blue that was seen.
+-- | What is known so far: how many rays were followed, how many shadow rays and how many tests there were, and the red,
+-- green and blue that was seen.
 data Tally = Tally {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
--- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of where it travels.
+-- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of
+-- where it travels.
 data Pending = Pending {-# UNPACK #-} !Ray {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 -- | The rays that remain, the next one first.
 data Remaining = Done | Then {-# UNPACK #-} !Pending !Remaining
 
--- | The refracted ray, if there is one, before those that remain: where a ray meets a surface with this finish, of the shape with this number. The normals there are the outward one and the one that is turned against the ray.
+-- | The refracted ray, if there is one, before those that remain: where a ray meets a surface with this finish, of the
+-- shape with this number. The normals there are the outward one and the one that is turned against the ray.
 --
 -- Spec: optics.secondary.origin, optics.body.closed, optics.body.entering, optics.body.leaving, optics.body.total.
 through :: World -> Finish Texture -> Int -> Pending -> Packed -> PackedUnit -> PackedUnit -> Remaining -> Remaining
@@ -130,9 +134,8 @@ through w f !i (Pending r depth wr wg wb index) !at !outward !normal !rest
       Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` rest
 {-# NOINLINE through #-}
 
--- Note [Rays as a stack]
--- ~~~~~~~~~~~~~~~~~~~~~~
--- Unrolled, the recursion is a sum over all paths of the direct light at the path's end, weighted by the product of the coefficients on the
--- way. The loop keeps the rays that remain on a stack, with their weights, and adds to one total: it takes no Haskell stack however deep the
--- mirrors are, and it can count. Depth first, reflection before refraction, so that it is known which rays are the first mostRays.
--- The sum is the same as the recursive one up to rounding in binary64, which disappears in the byte.
+-- Note [Rays as a stack] ~~~~~~~~~~~~~~~~~~~~~~ Unrolled, the recursion is a sum over all paths of the direct light at
+-- the path's end, weighted by the product of the coefficients on the way. The loop keeps the rays that remain on a
+-- stack, with their weights, and adds to one total: it takes no Haskell stack however deep the mirrors are, and it can
+-- count. Depth first, reflection before refraction, so that it is known which rays are the first mostRays. The sum is
+-- the same as the recursive one up to rounding in binary64, which disappears in the byte.

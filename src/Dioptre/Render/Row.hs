@@ -7,8 +7,8 @@
 -- Module      : Dioptre.Render.Row
 -- Description : The pure function from a scene to the rows of its picture
 --
--- A picture is a function of its scene, row by row: a 'Plan' is everything that the rows have in common, and 'row' is one of them, computed
--- from nothing but the plan and its number.
+-- A picture is a function of its scene, row by row: a 'Plan' is everything that the rows have in common, and 'row' is
+-- one of them, computed from nothing but the plan and its number.
 --
 -- >  Plan --- Window      which part of the picture
 -- >   |------ View        where the camera's rays go
@@ -68,18 +68,21 @@ data Plan = Plan
     planView :: !View,
     planStage :: !Stage,
     planRaytracer :: !Raytracer,
-    -- | What a ray sees without light; 'Nothing' where there is light, or a texture, or more than one ray a pixel. See Note [Pixels made once].
+    -- | What a ray sees without light; 'Nothing' where there is light, or a texture, or more than one ray a pixel. See
+    -- Note [Pixels made once].
     planPixels :: !(Maybe Flat)
   }
 
--- | Pixels made once: that of the background, those of the scene's own shapes by their numbers, and how to find those of models.
+-- | Pixels made once: that of the background, those of the scene's own shapes by their numbers, and how to find those
+-- of models.
 data Flat = Flat !Pixel !(Vector.Vector Pixel) !(Int -> Pixel)
 
 -- | A part of a picture: its first column and row, its width and height, in pixels. Only 'window' makes one.
 data Window = Window {windowColumn :: !Int, windowRow :: !Int, windowWidth :: !Int, windowHeight :: !Int}
   deriving stock (Eq, Show)
 
--- | The part of a viewport's picture from a column and row on, so wide and so high; 'Nothing' unless it has pixels and lies in the picture.
+-- | The part of a viewport's picture from a column and row on, so wide and so high; 'Nothing' unless it has pixels and
+-- lies in the picture.
 --
 -- Spec: cli.render.crop.
 window :: Viewport -> Int -> Int -> Int -> Int -> Maybe Window
@@ -136,8 +139,8 @@ data Row = Row
   }
   deriving stock (Eq, Show)
 
--- | The row of that number, counted from 0 at the top of the plan's window. Rows depend on nothing else, so that they may be computed in any
--- order, by anyone.
+-- | The row of that number, counted from 0 at the top of the plan's window. Rows depend on nothing else, so that they
+-- may be computed in any order, by anyone.
 --
 -- Spec: camera.every-pixel.
 row :: Plan -> Int -> Row
@@ -213,7 +216,8 @@ put target !x (Pixel r g b a) = do
 -- | The colour of a pixel before it becomes one, and what it took.
 data Sampled = Sampled {-# UNPACK #-} !Colour {-# UNPACK #-} !Work
 
--- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order and opaque.
+-- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order
+-- and opaque.
 --
 -- Spec: camera.sampling.one, camera.sampling.mean, camera.sampling.opaque, camera.sampling.fixed.
 colourAt :: Plan -> Int -> Int -> Sampled
@@ -240,7 +244,7 @@ sampled tracer v see x y
         !(!dx, !dy) = offset tracer (viewWidth v) x y k
 {-# INLINE sampled #-}
 
--- Note [Pixels made once]
--- ~~~~~~~~~~~~~~~~~~~~~~~
--- Without light a ray sees one colour on the whole of a shape, the diffuse one, unless a picture stands in for it. So all pixels there can be are known beforehand, one for each shape and one for the background; a row only asks what is
--- met first, and copies four bytes. By colours, each would be capped and rounded to bytes again for every pixel.
+-- Note [Pixels made once] ~~~~~~~~~~~~~~~~~~~~~~~ Without light a ray sees one colour on the whole of a shape, the
+-- diffuse one, unless a picture stands in for it. So all pixels there can be are known beforehand, one for each shape
+-- and one for the background; a row only asks what is met first, and copies four bytes. By colours, each would be
+-- capped and rounded to bytes again for every pixel.

@@ -41,7 +41,8 @@ import Linear.V2 (V2)
 -- | An amount of red, green and blue light, how many shadow rays it took, and how many times one was tried on a shape.
 data Lit = Lit {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int {-# UNPACK #-} !Int
 
--- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the ray, seen in a direction; the sum over all lights, in their order.
+-- | The light that a surface with these colours sends back along a ray: at a point, with a normal turned against the
+-- ray, seen in a direction; the sum over all lights, in their order.
 --
 -- What the algorithm leaves out is black. Which highlight it has is asked once, and not for each light.
 --
@@ -64,8 +65,9 @@ lighting s terms !colours !p !n !v = case termHighlight terms of
             go (k + 1) (red' + r') (green' + g') (blue' + b') (rays + m) (tests + tried)
     {-# INLINE summed #-}
 
--- | The light of one source at a point with normal n of a surface with this ambient and this diffuse colour, and this highlight of a light that travels along a direction. It is handed on with how many rays and tests it took:
--- whatever is done with it is done last, so that GHC makes jumps of all that happens here.
+-- | The light of one source at a point with normal n of a surface with this ambient and this diffuse colour, and this
+-- highlight of a light that travels along a direction. It is handed on with how many rays and tests it took: whatever
+-- is done with it is done last, so that GHC makes jumps of all that happens here.
 --
 -- Spec: light.source.ambient, light.source.directional, light.source.point, light.source.at-zero,
 --   light.source.zero-denominator, light.shadow.turned-away, light.wave.gives, light.wave.shadow.
@@ -122,11 +124,14 @@ pictured (Colours ambient' diffuse' specular' shininess) a d s uv = Colours (at 
     at plain = maybe plain (`texel` uv)
 {-# NOINLINE pictured #-}
 
--- Note [Numbers that travel]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~~
--- A ray, a point, a normal and the colours of a surface are some thirty numbers, which go from one function to the next a hundred million times for a picture. GHC hands a record over as its numbers, without making it, if the function
--- surely looks into it, and if that makes no more arguments than -fmax-worker-args says. It says 10, which is less than the colours of a surface (13), or a few shapes, a ray and a bound (14); here it says 40. In the same way what a function makes is handed back as numbers: Seen ("Dioptre.Render.Radiance"), Lit and
--- Transmittance are never in memory.
+-- Note [Numbers that travel] ~~~~~~~~~~~~~~~~~~~~~~~~~~ A ray, a point, a normal and the colours of a surface are some
+-- thirty numbers, which go from one function to the next a hundred million times for a picture. GHC hands a record over
+-- as its numbers, without making it, if the function surely looks into it, and if that makes no more arguments than
+-- -fmax-worker-args says. It says 10, which is less than the colours of a surface (13), or a few shapes, a ray and a
+-- bound (14); here it says 40. In the same way what a function makes is handed back as numbers: Seen
+-- ("Dioptre.Render.Radiance"), Lit and Transmittance are never in memory.
 --
--- Three things follow for what is here. Records are unpacked into each other down to the numbers. What is not to be taken apart is no record: a 'World' has two constructors, and stays one pointer. And whatever is looked into is looked
--- into early, or once: before GHC 9.0 looks at a value behind a pointer, it saves all numbers that it has at hand, in case the value must be computed first.
+-- Three things follow for what is here. Records are unpacked into each other down to the numbers. What is not to be
+-- taken apart is no record: a 'World' has two constructors, and stays one pointer. And whatever is looked into is
+-- looked into early, or once: before GHC 9.0 looks at a value behind a pointer, it saves all numbers that it has at
+-- hand, in case the value must be computed first.

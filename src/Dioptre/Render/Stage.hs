@@ -4,7 +4,8 @@
 -- Module      : Dioptre.Render.Stage
 -- Description : The world and its lights made ready
 --
--- What shading needs of a scene: the world of its shapes, the lights with unit directions, and which terms of illumination are added up.
+-- What shading needs of a scene: the world of its shapes, the lights with unit directions, and which terms of
+-- illumination are added up.
 module Dioptre.Render.Stage
   ( -- * Stages
     Stage (..),

@@ -26,7 +26,8 @@ import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), 
 
 -- | The shape of a number from 0 to below 'Dioptre.Render.World.worldSize'; 'Nothing' elsewhere.
 --
--- Cost: constant for the scene's own primitives; for shapes of models, like the logarithm of the number of instances, and a prepared triangle is made.
+-- Cost: constant for the scene's own primitives; for shapes of models, like the logarithm of the number of instances,
+-- and a prepared triangle is made.
 surfaceAt :: World -> Int -> Maybe Surface
 surfaceAt w !number = surfaceIn (root w) number
 {-# NOINLINE surfaceAt #-}

@@ -5,7 +5,8 @@
 -- Module      : Dioptre.Render.Surroundings
 -- Description : What a point is inside of
 --
--- The closed shapes around a point: from them follows the refractive index there. The same boxes that lead rays lead to them.
+-- The closed shapes around a point: from them follows the refractive index there. The same boxes that lead rays lead to
+-- them.
 --
 -- Specification: 5.16 and 7.5.
 module Dioptre.Render.Surroundings
@@ -29,14 +30,15 @@ import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (Arranged (..), Body (..), Group (..), Placed (..), Surface (..), World, root, worldHasMedia)
 import Linear.V3 (V3 (..))
 
--- | The finishes of the closed shapes that a point is inside of, in the order of their numbers; a shape left out, by its number.
+-- | The finishes of the closed shapes that a point is inside of, in the order of their numbers; a shape left out, by
+-- its number.
 --
 -- Spec: optics.medium.at, optics.medium.left-out, optics.medium.model.
 surroundings :: World -> Maybe Int -> Point -> [Finish Texture]
 surroundings w leftOut p = map snd (sortOn fst (filter ((/= leftOut) . Just . fst) (surroundingIn (root w) 0 p [])))
 
--- | The refractive index at a point, a shape left out: 1 outside all closed shapes, that of the material inside one, the mean inside several.
--- A point on a surface is not inside.
+-- | The refractive index at a point, a shape left out: 1 outside all closed shapes, that of the material inside one,
+-- the mean inside several. A point on a surface is not inside.
 --
 -- Cost: constant where nothing closed lets light through; else that of 'surroundings'.
 --

@@ -38,8 +38,8 @@ data Upward
     FromLastRow
   deriving stock (Eq, Show)
 
--- | The colour of a picture at texture coordinates: the picture repeats beyond 0 and 1, v runs as the texture says, and the pixel is the one
--- at trunc (u (width - 1)), trunc (v (height - 1)). Alpha is left out.
+-- | The colour of a picture at texture coordinates: the picture repeats beyond 0 and 1, v runs as the texture says, and
+-- the pixel is the one at trunc (u (width - 1)), trunc (v (height - 1)). Alpha is left out.
 --
 -- Spec: models.uv-format, models.texture.texel, models.texture.colour, models.texture.mask.
 texel :: Texture -> V2 Double -> Colour

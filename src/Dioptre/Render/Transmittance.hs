@@ -29,12 +29,14 @@ import Dioptre.Light.Finish (Finish (..))
 import Dioptre.Render.Obstacles (Obstacles (..), obstacles)
 import Dioptre.Render.World (World)
 
--- | How much of red, green and blue light comes past what stands in its way, and how many times the ray was tried on a shape to know it: 0 0 0 if anything lets nothing through, 1 1 1 if nothing is there, and else the product of the
+-- | How much of red, green and blue light comes past what stands in its way, and how many times the ray was tried on a
+-- shape to know it: 0 0 0 if anything lets nothing through, 1 1 1 if nothing is there, and else the product of the
 -- tints (which may be 0 0 0 as well: whether anything lets nothing through is told by 'obstacles').
 data Transmittance = Transmittance {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Int
   deriving stock (Eq, Show)
 
--- | What comes past all that a shadow ray meets nearer than a bound. Each shape tints the light once, however often the ray crosses it; tints are multiplied in the order of the shapes' numbers.
+-- | What comes past all that a shadow ray meets nearer than a bound. Each shape tints the light once, however often the
+-- ray crosses it; tints are multiplied in the order of the shapes' numbers.
 --
 -- Spec: light.shadow.ray, light.shadow.opaque, light.shadow.beyond, light.shadow.transparent, light.shadow.product,
 --   light.shadow.opaque-among, light.shadow.itself.
@@ -51,7 +53,8 @@ past (Obstacles opaque transparent tests)
     tinted (Transmittance r' g' b' n) f = let Colour x y z _ = finishTint f in Transmittance (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) n
 {-# INLINE past #-}
 
--- | The bound of a shadow ray to a light that is infinitely far. A scene has no number beyond 1e100, and no parameter comes near 1e300. (Infinity has no literal, and 1 \/ 0 would be a value to be looked up; see also Note [Literals] of
+-- | The bound of a shadow ray to a light that is infinitely far. A scene has no number beyond 1e100, and no parameter
+-- comes near 1e300. (Infinity has no literal, and 1 \/ 0 would be a value to be looked up; see also Note [Literals] of
 -- "Dioptre.Math.Roots".)
 farthest :: Double
 farthest = 1e100 * 1e100 * 1e100

@@ -13,8 +13,8 @@
 -- >     v                  |      u1, u2: one pixel to the right, one pixel down
 -- >     +------------------+      r0 = - u1 width / 2 - u2 height / 2
 --
--- The point (x, y) of the picture, in pixels from its top left corner, is P = c + r0 + u1 x + u2 y. Its ray starts there, not at the
--- eye, so that nothing in front of the near plane is seen, and goes on in the direction from the eye.
+-- The point (x, y) of the picture, in pixels from its top left corner, is P = c + r0 + u1 x + u2 y. Its ray starts
+-- there, not at the eye, so that nothing in front of the near plane is seen, and goes on in the direction from the eye.
 module Dioptre.Render.View
   ( View,
     view,
@@ -102,9 +102,11 @@ rayThrough v !x !y = ray p (maybe (unpacked (viewFront v)) vector (unit (p - unp
     !p = pointAt v x y
 {-# INLINE rayThrough #-}
 
--- | Where a point of space is seen, as a matrix M: with (X, Y, W) = M (x, y, z, 1) it is at column X / W and row Y / W of the picture, in pixels from the top left corner, and in front of the eye where W > 0.
+-- | Where a point of space is seen, as a matrix M: with (X, Y, W) = M (x, y, z, 1) it is at column X / W and row Y / W
+-- of the picture, in pixels from the top left corner, and in front of the eye where W > 0.
 --
--- A point is seen along the line from the eye e to it, which crosses the picture's plane at c + r0 + u1 X\/W + u2 Y\/W. So p - e = X u1 + Y u2 + W k with k = c + r0 - e, and Cramer's rule gives the coordinates:
+-- A point is seen along the line from the eye e to it, which crosses the picture's plane at c + r0 + u1 X\/W + u2 Y\/W.
+-- So p - e = X u1 + Y u2 + W k with k = c + r0 - e, and Cramer's rule gives the coordinates:
 --
 -- > X = (u2 x k) . (p - e) / D     Y = (k x u1) . (p - e) / D     W = (u1 x u2) . (p - e) / D     D = u1 . (u2 x k)
 --

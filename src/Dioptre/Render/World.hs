@@ -6,8 +6,9 @@
 -- Module      : Dioptre.Render.World
 -- Description : A scene made ready for many rays
 --
--- The prepared shapes of a scene with the finishes that they have, and an index over them. What a ray tracer asks of a world has a module each: what a ray meets first
--- ("Dioptre.Render.Closest"), what there is ("Dioptre.Render.Surface"), what stands between a point and a light ("Dioptre.Render.Obstacles"), and what a point is inside of
+-- The prepared shapes of a scene with the finishes that they have, and an index over them. What a ray tracer asks of a
+-- world has a module each: what a ray meets first ("Dioptre.Render.Closest"), what there is ("Dioptre.Render.Surface"),
+-- what stands between a point and a light ("Dioptre.Render.Obstacles"), and what a point is inside of
 -- ("Dioptre.Render.Surroundings").
 --
 -- >  root ----- shapes:     plane                      without an end: always tried
@@ -18,9 +19,10 @@
 -- >                           |                              +--> the teapot's triangles and their boxes, once
 -- >                           +-------- teapot, upside down -+
 --
--- Everything has a number: the primitives of the scene from 0, in its order, and behind them the shapes of each model instance, in the order of the models. The
--- answers do not depend on the index: of several shapes at one parameter the one with the lowest number is met, and whatever is counted up or multiplied is so in the
--- order of the numbers. (Law: as without any index.)
+-- Everything has a number: the primitives of the scene from 0, in its order, and behind them the shapes of each model
+-- instance, in the order of the models. The answers do not depend on the index: of several shapes at one parameter the
+-- one with the lowest number is met, and whatever is counted up or multiplied is so in the order of the numbers. (Law:
+-- as without any index.)
 module Dioptre.Render.World
   ( -- * Worlds
     World (..),

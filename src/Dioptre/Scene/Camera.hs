@@ -70,7 +70,8 @@ data Camera = Camera
 
 -- | The camera of some settings: front = look_at - position, up = (front x up) x front, both made unit.
 --
--- Whether there is a part of up across the front is asked of up made unit, too: what is left of a long one by rounding may be long.
+-- Whether there is a part of up across the front is asked of up made unit, too: what is left of a long one by rounding
+-- may be long.
 --
 -- Spec: code.nowhere-to-look, code.up-along-front, code.far-before-near, camera.front, camera.up.
 camera :: CameraSettings -> Either Flaw Camera

@@ -6,8 +6,9 @@
 -- Module      : Dioptre.Scene.Check
 -- Description : From what a file says to what it means
 --
--- The stage that turns a syntax tree into a scene. It never fails: every fault becomes a diagnostic with its place, in one
--- pass, and what was wrong is replaced by what stood before it or by the default, so that there is always a picture.
+-- The stage that turns a syntax tree into a scene. It never fails: every fault becomes a diagnostic with its place, in
+-- one pass, and what was wrong is replaced by what stood before it or by the default, so that there is always a
+-- picture.
 --
 -- A model can be written in the same language: primitives, materials and other models, without a camera or lights.
 module Dioptre.Scene.Check
@@ -111,7 +112,8 @@ data Mention = Mention
 mention :: Block -> Model -> Mention
 mention block m = Mention m (valueOrHead Keyword.File block) (placeOfValue Keyword.UvFormat block)
 
--- | What has been read of a scene so far. Things come with the block that they were read from, for what remains to be said of them.
+-- | What has been read of a scene so far. Things come with the block that they were read from, for what remains to be
+-- said of them.
 data Draft = Draft
   { camera :: Maybe (Block, Camera),
     viewport :: Maybe (Block, Viewport),

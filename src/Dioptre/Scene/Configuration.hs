@@ -5,8 +5,8 @@
 -- Module      : Dioptre.Scene.Configuration
 -- Description : configuration.cfg
 --
--- What the program does when it is run without arguments. The file has the scene language's lines, but no objects: each line is
--- a property.
+-- What the program does when it is run without arguments. The file has the scene language's lines, but no objects: each
+-- line is a property.
 module Dioptre.Scene.Configuration
   ( Configuration (..),
     Application (..),
@@ -76,8 +76,9 @@ configurationFile = "configuration.cfg"
 defaultSceneFile :: Text
 defaultSceneFile = "default_scene.txt"
 
--- | The configuration that a tree describes, and all that is wrong with it. What is written never bears the name of what is read, or of
--- the other thing that is written. There are no objects in it: a word that would open one is a line like the others, and so is what would stand in it.
+-- | The configuration that a tree describes, and all that is wrong with it. What is written never bears the name of
+-- what is read, or of the other thing that is written. There are no objects in it: a word that would open one is a line
+-- like the others, and so is what would stand in it.
 --
 -- Spec: code.name-taken, config.file, config.apart.
 checkConfiguration :: Tree -> (Configuration, [Diagnostic])

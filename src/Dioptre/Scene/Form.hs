@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Scene.Form
 -- Description : The forms of values, read and written
 --
--- What a property can be given: real numbers in a range, vectors, colours, words. A form knows how to read a value from its text, why it
--- refuses one, what it wants instead, and how to write one, so that whatever is written can be read.
+-- What a property can be given: real numbers in a range, vectors, colours, words. A form knows how to read a value from
+-- its text, why it refuses one, what it wants instead, and how to write one, so that whatever is written can be read.
 --
 -- Law: reading what a form wrote gives the same value.
 module Dioptre.Scene.Form

@@ -42,7 +42,8 @@ import Dioptre.Syntax.Print (Outline)
 import Dioptre.Syntax.Tree (Block (..), Head (..))
 import Linear.V3 (V3 (..))
 
--- | The light that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no light's.
+-- | The light that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no
+-- light's.
 --
 -- Spec: block.lights.
 readLight :: Block -> Check (Maybe Light)

@@ -5,8 +5,9 @@
 -- Module      : Dioptre.Scene.Original
 -- Description : What the original program does otherwise with a scene
 --
--- The scene language comes from a teaching program whose scenes are still around. They draw here as they did there, with exceptions that the specification lists (annex C): this
--- module finds in a scene those of them that its text shows, each at its place, as notes for whoever compares the two programs.
+-- The scene language comes from a teaching program whose scenes are still around. They draw here as they did there,
+-- with exceptions that the specification lists (annex C): this module finds in a scene those of them that its text
+-- shows, each at its place, as notes for whoever compares the two programs.
 --
 -- > primitive
 -- >   material_name blue
@@ -15,8 +16,9 @@
 -- >   end
 -- > end
 --
--- A note says that the pictures may differ, not that they do. What no text shows is not told: rays that meet an edge exactly, what stands in files that the scene names, where they are
--- looked for, and in which encoding the scene is read.
+-- A note says that the pictures may differ, not that they do. What no text shows is not told: rays that meet an edge
+-- exactly, what stands in files that the scene names, where they are looked for, and in which encoding the scene is
+-- read.
 module Dioptre.Scene.Original
   ( departures,
   )
@@ -64,7 +66,8 @@ import Dioptre.Syntax.Tree (Block (..), Head (..), Node (..), Property (..), Tre
 import Dioptre.Syntax.Value (integer, largestReal, real)
 import Linear.V3 (V3 (..))
 
--- | What the original takes otherwise, in the order of the file: in a text, whose tree that is, and of which this has been said.
+-- | What the original takes otherwise, in the order of the file: in a text, whose tree that is, and of which this has
+-- been said.
 departures :: Source -> Tree -> [Diagnostic] -> [Diagnostic]
 departures source tree faults = sortOn diagnosticSpan (concat [ofComments source, mapMaybe ofFault faults, ofViewing objects, concatMap (ofObject tracer eye textured) objects])
   where
@@ -98,7 +101,8 @@ placeOf word block = fromMaybe (opening block) (placeOfValue word block)
 -------------------------------------------------------------------------------
 -- Reading
 
--- | A comment that opens and closes on one line opens a block there, whose end is looked for among the first words of lines.
+-- | A comment that opens and closes on one line opens a block there, whose end is looked for among the first words of
+-- lines.
 ofComments :: Source -> [Diagnostic]
 ofComments = outside . zip [1 ..] . Text.split (== '\n') . sourceText
   where
@@ -160,8 +164,9 @@ admitted expectation token = case expectation of
     atLeast low x = either (const False) (x >=) (real low)
     atMost high x = either (const False) (x <=) (real high)
 
--- | Whether a token is a number for Java whose value passes a test. Java's numbers may end in a letter for their type, may be written in hexadecimal digits, and need not be finite. One
--- that is not a number (NaN) or hexadecimal is taken to pass.
+-- | Whether a token is a number for Java whose value passes a test. Java's numbers may end in a letter for their type,
+-- may be written in hexadecimal digits, and need not be finite. One that is not a number (NaN) or hexadecimal is taken
+-- to pass.
 --
 -- Source: the documentation of the Java platform, @Double.valueOf(String)@, which gives their grammar.
 isJavaReal :: (Double -> Bool) -> Text -> Bool
@@ -218,8 +223,9 @@ ofViewing objects =
     doublings = length (takeWhile (<= mostRays) (iterate (* 2) 2))
     materials = [m | (word, block) <- objects, Just m <- [materialOf word block]]
 
--- | How many pixels the console program of the original draws, of a picture that may be narrower: it takes the picture for a square, and draws 101 packets of a
--- hundredth of it each, rounded down, and then up to a multiple of the threads.
+-- | How many pixels the console program of the original draws, of a picture that may be narrower: it takes the picture
+-- for a square, and draws 101 packets of a hundredth of it each, rounded down, and then up to a multiple of the
+-- threads.
 drawnOf :: Integer -> Integer -> Integer
 drawnOf task height = 101 * (((height * height `div` 100) + task - 1) `div` task * task)
 
@@ -246,7 +252,8 @@ ofTracer block r =
 -------------------------------------------------------------------------------
 -- Everything else
 
--- | What is otherwise with one object: in a scene with that ray tracer, seen from that point, whose materials of these names have textures.
+-- | What is otherwise with one object: in a scene with that ray tracer, seen from that point, whose materials of these
+-- names have textures.
 ofObject :: Raytracer -> Point -> Set Text -> Object -> [Diagnostic]
 ofObject tracer eye textured (word, block) = case word of
   Keyword.Primitive -> maybe [] ofPrimitive (made primitiveSchema block)
@@ -351,7 +358,8 @@ tolerance = 1e-10
 nearlyEqual :: Double -> Double -> Bool
 nearlyEqual a b = abs (a - b) < tolerance * max 1 (max (abs a) (abs b))
 
--- | It checks that a hit is on the sphere to 1e-10 of the radius, and on the tube to 1e-7. The error grows like 2^-53 k^2 at a distance of k radii, and comes to that near these k.
+-- | It checks that a hit is on the sphere to 1e-10 of the radius, and on the tube to 1e-7. The error grows like 2^-53
+-- k^2 at a distance of k radii, and comes to that near these k.
 farFromSphere, farFromTube :: Double
 farFromSphere = 1e3
 farFromTube = 3e4

@@ -5,9 +5,9 @@
 -- Module      : Dioptre.Scene.Schema
 -- Description : Objects of the scene language, described once
 --
--- A 'Schema' says what an object of the language is: its word, its defaults, its properties with their forms and where they
--- go, and when it is possible. The same description reads an object, writes one, and tells what may stand in it; nothing about an
--- object is said twice.
+-- A 'Schema' says what an object of the language is: its word, its defaults, its properties with their forms and where
+-- they go, and when it is possible. The same description reads an object, writes one, and tells what may stand in it;
+-- nothing about an object is said twice.
 --
 -- > sphere                         Schema Keyword.Sphere
 -- >   position [0.0, 0.0, 2.0]       one [Keyword.Position] vectorForm ...
@@ -61,8 +61,8 @@ import Dioptre.Syntax.Tree (Block (..), Closing (..), Head (..), Node (..), Valu
 import qualified Dioptre.Syntax.Tree as Tree
 import Dioptre.Syntax.Value (Token (..), real, tokens)
 
--- | How objects @b@ are read and written, by way of a draft @a@ that holds the values of their properties before it is known whether they fit
--- together.
+-- | How objects @b@ are read and written, by way of a draft @a@ that holds the values of their properties before it is
+-- known whether they fit together.
 data Schema a b = Schema
   { -- | The word that opens the object.
     schemaKeyword :: Keyword,
@@ -193,7 +193,8 @@ fill (Property _ form slots) k before p = case slotFor of
     -- A value that is not there is missed at its word.
     orWord place = if width place == 0 then headSpan word else place
 
--- | Reports what stands behind the word that opens a block and looks as if it were to be read: a property of the object, or the number that a shape is to have.
+-- | Reports what stands behind the word that opens a block and looks as if it were to be read: a property of the
+-- object, or the number that a shape is to have.
 reportRest :: Schema a b -> Block -> Check ()
 reportRest schema block = case tokens (blockRest block) of
   token : _

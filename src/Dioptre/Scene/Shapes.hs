@@ -96,7 +96,8 @@ schemaOf = \case
   ATorus _ -> torusSchema
   ATransformed _ _ -> transformedSchema
 
--- | The shape that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no shape's.
+-- | The shape that a block describes; 'Nothing' if its values make none, which has been reported, or if its word is no
+-- shape's.
 --
 -- Spec: tree.depth, shape.defaults, shape.words.
 readShape :: Block -> Check (Maybe Shape)

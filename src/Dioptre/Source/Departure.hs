@@ -6,7 +6,8 @@
 -- Module      : Dioptre.Source.Departure
 -- Description : Where the original program does something else, as data
 --
--- Not what is wrong with a scene, but what the program that these scenes were once written for makes of it, where Dioptre does otherwise. "Dioptre.Scene.Original" finds the places; the texts stand in
+-- Not what is wrong with a scene, but what the program that these scenes were once written for makes of it, where
+-- Dioptre does otherwise. "Dioptre.Scene.Original" finds the places; the texts stand in
 -- "Dioptre.Source.DepartureMessage". Annex C of the specification lists them.
 module Dioptre.Source.Departure
   ( Departure (..),

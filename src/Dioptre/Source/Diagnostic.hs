@@ -6,9 +6,9 @@
 -- Module      : Dioptre.Source.Diagnostic
 -- Description : What can be wrong with a scene, as data
 --
--- A mistake in a file is a value: one constructor per kind of mistake, carrying what a person needs to know of it. Nothing
--- is fatal. The texts stand in "Dioptre.Source.Message", in two languages; what they look like on a terminal, in a log and
--- in JSON stands in "Dioptre.Source.Report".
+-- A mistake in a file is a value: one constructor per kind of mistake, carrying what a person needs to know of it.
+-- Nothing is fatal. The texts stand in "Dioptre.Source.Message", in two languages; what they look like on a terminal,
+-- in a log and in JSON stands in "Dioptre.Source.Report".
 module Dioptre.Source.Diagnostic
   ( -- * Diagnostics
     Diagnostic (..),
@@ -55,8 +55,8 @@ data Diagnostic = Diagnostic
   }
   deriving stock (Eq, Show)
 
--- | How much it matters. An error is a text that does not mean what it says; a warning is a picture that may not be the one
--- that was meant; a note is for information. @check@ and @--strict@ fail on errors and warnings.
+-- | How much it matters. An error is a text that does not mean what it says; a warning is a picture that may not be the
+-- one that was meant; a note is for information. @check@ and @--strict@ fail on errors and warnings.
 data Severity = Note | Warning | Error
   deriving stock (Eq, Ord, Show)
 

@@ -29,8 +29,8 @@ data Language = English | French
 languageNames :: [(Text, Language)]
 languageNames = [("en", English), ("fr", French), ("english", English), ("french", French), ("anglais", English), ("francais", French), ("fran\231ais", French)]
 
--- | The language of a locale, given a way to look variables up: of LC_ALL, LC_MESSAGES and LANG the first that is set and not empty
--- decides; French where it begins with @fr@.
+-- | The language of a locale, given a way to look variables up: of LC_ALL, LC_MESSAGES and LANG the first that is set
+-- and not empty decides; French where it begins with @fr@.
 --
 -- >>> fromLocale (`lookup` [("LANG", "fr_CA.UTF-8")])
 -- French

@@ -5,8 +5,8 @@
 -- Module      : Dioptre.Source.Message
 -- Description : What diagnostics say, in English and French
 --
--- The texts of "Dioptre.Source.Diagnostic", and nothing else: what is wrong, what was expected, what is used instead. Each text stands
--- beside its translation.
+-- The texts of "Dioptre.Source.Diagnostic", and nothing else: what is wrong, what was expected, what is used instead.
+-- Each text stands beside its translation.
 module Dioptre.Source.Message
   ( message,
     expected,

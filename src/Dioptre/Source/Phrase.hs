@@ -46,8 +46,8 @@ safe :: Text -> Text
 safe = Text.map (\c -> if isControl c then '·' else c)
 
 -- | A whole number.
-number :: (Integral n, Show n) => n -> Text
-number = Text.pack . show
+number :: Integral n => n -> Text
+number = Text.pack . show . toInteger
 
 -- | A number of things: singular and plural, in English and in French, where 0 is singular.
 --

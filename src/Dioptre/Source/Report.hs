@@ -62,7 +62,8 @@ pretty l source (Diagnostic place problem) =
       Note -> Cyan
     labelled label t = indent 6 (hang 4 (Doc.pretty (label :: Text) <> " " <> fillSep (map Doc.pretty (Text.splitOn " " (safe t)))))
 
--- | The line, and a caret under each character that the diagnostic is about. Of a long line only the part around it is shown.
+-- | The line, and a caret under each character that the diagnostic is about. Of a long line only the part around it is
+-- shown.
 excerpt :: Source -> Span -> Style -> Doc Style
 excerpt source place shade =
   numbered (number (spanLine place)) shown <> hardline <> numbered "" (Doc.pretty gap <> annotate shade (Doc.pretty carets))
@@ -78,7 +79,8 @@ excerpt source place shade =
     carets = Text.replicate (max 1 (min (width place) (Text.length rest))) "^"
     printable c = if isControl c && c /= '\t' then '·' else c
 
--- | A diagnostic for a program to read. Lines and columns count from 1, columns in code points; the end is exclusive. What is not there is left out.
+-- | A diagnostic for a program to read. Lines and columns count from 1, columns in code points; the end is exclusive.
+-- What is not there is left out.
 --
 -- Spec: cli.check.json.
 toJson :: Language -> FilePath -> Diagnostic -> Value

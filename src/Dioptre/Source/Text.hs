@@ -76,7 +76,8 @@ fromText name raw = Source name text (Whole (Vector.fromList (Text.split (== '\n
   where
     text = Text.replace "\r" "\n" (Text.replace "\r\n" "\n" raw)
 
--- | A source that knows some of its lines, by their numbers: of a file that is too large to keep, those that messages show. Its text is those lines.
+-- | A source that knows some of its lines, by their numbers: of a file that is too large to keep, those that messages
+-- show. Its text is those lines.
 excerpts :: FilePath -> [(Int, Text)] -> Source
 excerpts name lines' = Source name (Text.intercalate "\n" (IntMap.elems known)) (Some known)
   where

@@ -19,7 +19,8 @@
 -- > block-comment= line whose first word is exactly "/*" ... line whose first word is exactly "*/"
 -- > blank        = space / tab / form feed
 --
--- Lines are found first, among characters; then objects, among lines, each of which is read once. Every text has a tree: the grammar has no way to fail. See "Dioptre.Syntax.Value" for what stands in a value.
+-- Lines are found first, among characters; then objects, among lines, each of which is read once. Every text has a
+-- tree: the grammar has no way to fail. See "Dioptre.Syntax.Value" for what stands in a value.
 module Dioptre.Syntax.Grammar
   ( parse,
   )
@@ -97,7 +98,8 @@ closing = byEnd <$> endLine <|> BySceneWord <$> lookAhead sceneWord <|> pure ByE
   where
     byEnd word = maybe (ByMisspeltEnd word) (const (ByEnd (headSpan word))) (headKeyword word)
 
--- | opening = a line whose word opens an object (what follows the word says nothing), or an unknown word alone on its line
+-- | opening = a line whose word opens an object (what follows the word says nothing), or an unknown word alone on its
+-- line
 --
 -- Spec: tree.opening.
 opening :: Lines (Head, Value)
@@ -166,8 +168,8 @@ wordAndValue = do
 comment :: Parser (Maybe Line)
 comment = blockComment <|> Nothing <$ lineComment
 
--- | A block opens where the first word is exactly @\/*@, and closes at a line whose first word is exactly @*\/@; a @*\/@ on the
--- opening line makes it a comment of that line only.
+-- | A block opens where the first word is exactly @\/*@, and closes at a line whose first word is exactly @*\/@; a
+-- @*\/@ on the opening line makes it a comment of that line only.
 --
 -- Spec: comment.block, comment.one-line, comment.unclosed.
 blockComment :: Parser (Maybe Line)

@@ -6,9 +6,9 @@
 -- Module      : Dioptre.Syntax.Keyword
 -- Description : The words of the scene language
 --
--- Every word that scenes and configurations may use, with all its spellings: the first is the one that the program writes,
--- the others are read too. Case does not matter. The type is a closed sum, so that a new word lights up every place that must
--- know it. The constructors are meant to be imported qualified: @Keyword.Sphere@.
+-- Every word that scenes and configurations may use, with all its spellings: the first is the one that the program
+-- writes, the others are read too. Case does not matter. The type is a closed sum, so that a new word lights up every
+-- place that must know it. The constructors are meant to be imported qualified: @Keyword.Sphere@.
 module Dioptre.Syntax.Keyword
   ( -- * Words
     Keyword (..),

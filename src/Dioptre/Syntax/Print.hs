@@ -5,8 +5,8 @@
 -- Module      : Dioptre.Syntax.Print
 -- Description : Writing in the scene language
 --
--- The way back from things to text: an outline of objects, properties and comments, laid out as a person would write it.
--- Law: parsing what was printed gives the outline's words and values again.
+-- The way back from things to text: an outline of objects, properties and comments, laid out as a person would write
+-- it. Law: parsing what was printed gives the outline's words and values again.
 module Dioptre.Syntax.Print
   ( Outline (..),
     printOutline,

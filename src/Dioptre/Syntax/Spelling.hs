@@ -4,8 +4,8 @@
 -- Module      : Dioptre.Syntax.Spelling
 -- Description : Words that were mistyped
 --
--- What a person who wrote an unknown word may have meant. The measure is the restricted Damerau-Levenshtein distance: the
--- number of letters put in, left out, replaced, or swapped with their neighbour.
+-- What a person who wrote an unknown word may have meant. The measure is the restricted Damerau-Levenshtein distance:
+-- the number of letters put in, left out, replaced, or swapped with their neighbour.
 module Dioptre.Syntax.Spelling
   ( isSlipOf,
     suggest,
@@ -35,8 +35,9 @@ import Text.EditDistance (defaultEditCosts, restrictedDamerauLevenshteinDistance
 isSlipOf :: Text -> Text -> Bool
 isSlipOf a b = abs (Text.length a - Text.length b) <= 1 && apart a b == 1
 
--- | The candidate nearest to a word, if one is near: at most one slip in three letters, and not as many as it has letters. Of several the one that begins most like it, and the first of those. Case does not matter.
--- Words of more than 60 letters are nobody's slip, and of many candidates only the first 300 are looked at.
+-- | The candidate nearest to a word, if one is near: at most one slip in three letters, and not as many as it has
+-- letters. Of several the one that begins most like it, and the first of those. Case does not matter. Words of more
+-- than 60 letters are nobody's slip, and of many candidates only the first 300 are looked at.
 --
 -- >>> suggest ["sphere", "plane"] "Sphre"
 -- Just "sphere"
@@ -60,8 +61,9 @@ suggest candidates word
     near = [((apart (Text.toLower word) (Text.toLower c), negate (common c)), c) | c <- filter alike (take 300 candidates)]
     common c = maybe 0 (\(same, _, _) -> Text.length same) (Text.commonPrefixes (Text.toLower word) (Text.toLower c))
 
--- | What may have been meant by a word that is none of these, and what follows it on its line: one of them with an accent, with its parts in another order, with a blank between its parts, or with something
--- else than a blank behind it; or else 'suggest'.
+-- | What may have been meant by a word that is none of these, and what follows it on its line: one of them with an
+-- accent, with its parts in another order, with a blank between its parts, or with something else than a blank behind
+-- it; or else 'suggest'.
 --
 -- >>> suggestWord ["point_light", "lumiere_ponctuelle"] "lumi\232re" "ponctuelle"
 -- Just "lumiere_ponctuelle"
@@ -101,7 +103,8 @@ unaccented = Text.map (\c -> fromMaybe c (lookup c accents))
   where
     accents = zip "\224\226\228\231\232\233\234\235\238\239\244\246\249\251\252" "aaaceeeeiioouuu"
 
--- | The name that may have been meant by a name: one that is the same but for case and blanks at the end; or else 'suggest', with its bounds.
+-- | The name that may have been meant by a name: one that is the same but for case and blanks at the end; or else
+-- 'suggest', with its bounds.
 --
 -- >>> suggestName ["th\233", "caf\233  "] "CAF\201"
 -- Just "caf\233  "

@@ -5,7 +5,8 @@
 -- Module      : Dioptre.View.Desk
 -- Description : What lies on the desk: a scene's text, what is wrong with it, and its picture
 --
--- Everything that the viewer knows at a moment, and how it changes. There is one desk; all pages that are open look at it, and may type on it.
+-- Everything that the viewer knows at a moment, and how it changes. There is one desk; all pages that are open look at
+-- it, and may type on it.
 --
 -- >   typing, or the file     Desk      text, version 7
 -- >   ----------------------> text
@@ -16,7 +17,8 @@
 -- >                             v
 -- >                           finished  the last good picture
 --
--- A version is drawn unless its text has errors: then the last good picture stays, if there is one. The changes are pure functions; "Dioptre.View.Painter" draws, and "Dioptre.View.Server" talks.
+-- A version is drawn unless its text has errors: then the last good picture stays, if there is one. The changes are
+-- pure functions; "Dioptre.View.Painter" draws, and "Dioptre.View.Server" talks.
 module Dioptre.View.Desk
   ( -- * The desk
     Desk (..),
@@ -123,7 +125,8 @@ newtype Complaint
     TooLarge Int
   deriving stock (Eq, Show)
 
--- | A desk with a text, which the file has if there is one, on which nothing is drawn yet. Says whether it is drawn while nobody looks.
+-- | A desk with a text, which the file has if there is one, on which nothing is drawn yet. Says whether it is drawn
+-- while nobody looks.
 newDesk :: Language -> Bool -> Bool -> Text -> Desk
 newDesk l hasFile unwatched text =
   Desk
@@ -221,7 +224,8 @@ jobOf desk
   where
     job = Job (deskVersion desk) (deskAnyway desk == Just (deskVersion desk)) (deskChanges desk)
 
--- | The job's text was looked at. Where it has errors and there is a picture already, or where it cannot be drawn, that is all there is to do.
+-- | The job's text was looked at. Where it has errors and there is a picture already, or where it cannot be drawn, that
+-- is all there is to do.
 checked :: Job -> [(Source, [Diagnostic])] -> Sought -> Maybe Complaint -> Desk -> Desk
 checked job diagnostics sought complaint desk =
   desk

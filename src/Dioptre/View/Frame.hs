@@ -4,9 +4,11 @@
 -- Module      : Dioptre.View.Frame
 -- Description : A picture in the making
 --
--- Workers paint it strip by strip, and whoever likes looks at the strips that are there. Nobody waits for anybody: a strip is put on a list once its bytes are in place, and each onlooker remembers how much of the list it has seen.
+-- Workers paint it strip by strip, and whoever likes looks at the strips that are there. Nobody waits for anybody: a
+-- strip is put on a list once its bytes are in place, and each onlooker remembers how much of the list it has seen.
 --
--- First comes every eighth pixel of every eighth row, which is a sixty-fourth of the work and already a picture; then the rows themselves.
+-- First comes every eighth pixel of every eighth row, which is a sixty-fourth of the work and already a picture; then
+-- the rows themselves.
 --
 -- >  coarse row 0   . . . . . . . .      each pixel stands for the 8 x 8 around it
 -- >  coarse row 1   . . . . . . . .
@@ -115,8 +117,8 @@ coarse n = (n + coarseness - 1) `div` coarseness
 shownBy :: Int -> Int -> Int
 shownBy n k = min (n - 1) (coarseness * k + coarseness `div` 2)
 
--- | Paints a frame by that many workers, and ends it; whoever sees that it is finished also sees what is given to be done then. Exceptions end the
--- painting and leave the frame as it is.
+-- | Paints a frame by that many workers, and ends it; whoever sees that it is finished also sees what is given to be
+-- done then. Exceptions end the painting and leave the frame as it is.
 --
 -- Law: its picture is the one that "Dioptre.Render" makes of its plan.
 paint :: Int -> STM () -> Frame -> IO ()

@@ -5,15 +5,21 @@
 -- Module      : Dioptre.View.Guard
 -- Description : Who may speak with the viewer
 --
--- The server listens on 127.0.0.1 only, so that nobody else on the network can reach it. What can is any program on this machine, whoever runs it, and any page that the user's own browser has open. None of them may read the scene or write its file:
+-- The server listens on 127.0.0.1 only, so that nobody else on the network can reach it. What can is any program on
+-- this machine, whoever runs it, and any page that the user's own browser has open. None of them may read the scene or
+-- write its file:
 --
--- * Each run has a token, a secret that stands in the address that is printed. Whoever does not name it is refused everything but the files of the page, which are the same for everybody.
+-- * Each run has a token, a secret that stands in the address that is printed. Whoever does not name it is refused
+--   everything but the files of the page, which are the same for everybody.
 -- * A page of another place carries its own address in @Origin@. It is refused a conversation.
--- * A page whose server has renamed itself to 127.0.0.1 (DNS rebinding) still asks for its own name in @Host@. It is refused everything.
+-- * A page whose server has renamed itself to 127.0.0.1 (DNS rebinding) still asks for its own name in @Host@. It is
+--   refused everything.
 --
--- In the address the token stands behind a @#@: what stands there a browser keeps to itself. The page takes it from there (page/token.js), and names it in each request.
+-- In the address the token stands behind a @#@: what stands there a browser keeps to itself. The page takes it from
+-- there (page/token.js), and names it in each request.
 --
--- Sources: RFC 6455, section 10.2 (Origin); RFC 9110, section 7.2 (Host); RFC 3986, section 3.5 (what stands behind @#@).
+-- Sources: RFC 6455, section 10.2 (Origin); RFC 9110, section 7.2 (Host); RFC 3986, section 3.5 (what stands behind
+-- @#@).
 module Dioptre.View.Guard
   ( -- * Tokens
     Token,
@@ -80,7 +86,8 @@ data Wish
 data Verdict = Admitted | WrongHost | WrongOrigin | WrongToken
   deriving stock (Eq, Show)
 
--- | What becomes of a request to the server at a port, whose token is this one. What is read is given to any origin, as the answer says that no other page may use it.
+-- | What becomes of a request to the server at a port, whose token is this one. What is read is given to any origin, as
+-- the answer says that no other page may use it.
 --
 -- >>> :set -XOverloadedStrings
 -- >>> token <- newToken

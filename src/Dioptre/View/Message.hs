@@ -4,7 +4,8 @@
 -- Module      : Dioptre.View.Message
 -- Description : What the viewer and its page say to each other
 --
--- Messages are JSON objects with a @type@; rows of pictures are messages of bytes. The page's side is page/connection.js.
+-- Messages are JSON objects with a @type@; rows of pictures are messages of bytes. The page's side is
+-- page/connection.js.
 --
 -- Bytes, all numbers being 32 bits, the lowest byte first:
 --

@@ -2,8 +2,9 @@
 -- Module      : Dioptre.View.News
 -- Description : What a page does not know yet
 --
--- Each page has been told something of the desk, and is told the rest when it is ready for it. Nothing waits in a queue: what a slow page misses in between it never hears of, and
--- what it is told is as new as can be. So a page that reads slowly, or not at all, costs neither memory nor anybody's time.
+-- Each page has been told something of the desk, and is told the rest when it is ready for it. Nothing waits in a
+-- queue: what a slow page misses in between it never hears of, and what it is told is as new as can be. So a page that
+-- reads slowly, or not at all, costs neither memory nor anybody's time.
 module Dioptre.View.News
   ( Told,
     nothing,
@@ -45,7 +46,8 @@ data News
   = Say Message
   | Show Frame Bool [Int]
 
--- | What a page is to be told, given what it has been told, the desk, and how far the desk's picture is; and what it has been told then. Of a picture no more strips than make about a megabyte.
+-- | What a page is to be told, given what it has been told, the desk, and how far the desk's picture is; and what it
+-- has been told then. Of a picture no more strips than make about a megabyte.
 --
 -- Law: who has been told everything is told nothing.
 news :: Told -> Desk -> Maybe (Frame, Progress) -> ([News], Told)

@@ -25,7 +25,8 @@ import GHC.Conc (getNumCapabilities)
 -- | The desk, where several may look at it and change it.
 type Table = TVar Desk
 
--- | A page gets no picture with more pixels than this: 4096 x 4096, of which it and the program hold several copies. @render@ draws larger ones.
+-- | A page gets no picture with more pixels than this: 4096 x 4096, of which it and the program hold several copies.
+-- @render@ draws larger ones.
 mostPixels :: Int
 mostPixels = 4096 * 4096
 

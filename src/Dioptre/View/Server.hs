@@ -8,7 +8,9 @@
 -- > other files --watch--|  \----news--->
 -- >                     painter
 --
--- It listens on 127.0.0.1 only, and only to whoever names the run's token ("Dioptre.View.Guard" says who may speak there). Nothing that a page says reaches the disk, except that the text is written to the scene's file where a page asks for that.
+-- It listens on 127.0.0.1 only, and only to whoever names the run's token ("Dioptre.View.Guard" says who may speak
+-- there). Nothing that a page says reaches the disk, except that the text is written to the scene's file where a page
+-- asks for that.
 module Dioptre.View.Server
   ( Settings (..),
     Viewer (..),
@@ -167,7 +169,8 @@ found port kind more = responseLBS Http.status200 (("Content-Type", kind) : more
 plain :: Int -> Http.Status -> Lazy.ByteString -> Response
 plain port status words' = responseLBS status (("Content-Type", "text/plain; charset=utf-8") : precautions port) (words' <> "\n")
 
--- | What a browser is told with every answer: the page takes everything from here and nothing from elsewhere, and no other page may use it.
+-- | What a browser is told with every answer: the page takes everything from here and nothing from elsewhere, and no
+-- other page may use it.
 precautions :: Int -> [Http.Header]
 precautions port =
   [ ( "Content-Security-Policy",

@@ -2,10 +2,13 @@
 -- Module      : Dioptre.View.Surroundings
 -- Description : The other files that a scene is made of, which somebody may change
 --
--- A scene names models and textures, models name others and their materials, and materials name textures. When one of them is saved, comes or goes, the picture is drawn anew.
+-- A scene names models and textures, models name others and their materials, and materials name textures. When one of
+-- them is saved, comes or goes, the picture is drawn anew.
 --
--- What is watched are folders, as in "Dioptre.View.Watch": those where files were found, and those where a better one could come, which are the folder of whoever names it, the working directory, and scenes and models there. (A
--- name is also looked for deeper in the working directory. A file that comes there is seen when the text is changed next.) In them every event about one of the names is a hint. Each look at the text says anew which these are.
+-- What is watched are folders, as in "Dioptre.View.Watch": those where files were found, and those where a better one
+-- could come, which are the folder of whoever names it, the working directory, and scenes and models there. (A name is
+-- also looked for deeper in the working directory. A file that comes there is seen when the text is changed next.) In
+-- them every event about one of the names is a hint. Each look at the text says anew which these are.
 module Dioptre.View.Surroundings
   ( watchingSurroundings,
     mostFolders,
@@ -33,7 +36,8 @@ import System.Directory (canonicalizePath, doesDirectoryExist)
 import System.FSNotify (StopListening, WatchManager, eventPath, watchDir, withManager)
 import System.FilePath (takeDirectory, takeFileName)
 
--- | Does some work, and meanwhile notes on the desk when a file may have changed that the scene on it is made of. Where the system cannot watch, nothing is noted.
+-- | Does some work, and meanwhile notes on the desk when a file may have changed that the scene on it is made of. Where
+-- the system cannot watch, nothing is noted.
 watchingSurroundings :: Table -> IO a -> IO a
 watchingSurroundings table act = withAsync (forever (session table)) (const act)
 
@@ -95,7 +99,8 @@ mostPieces = 20
 mostFolders :: Int
 mostFolders = 64
 
--- | The folders in which something may happen to these files; none if there are none. Those that are nearest to the scene come first.
+-- | The folders in which something may happen to these files; none if there are none. Those that are nearest to the
+-- scene come first.
 foldersOf :: Sought -> IO (Set FilePath)
 foldersOf sought
   | Map.null sought = pure Set.empty

@@ -2,7 +2,8 @@
 -- Module      : Dioptre.View.Watch
 -- Description : A file that somebody else may change
 --
--- Editors write in many ways: into the file, or beside it with a rename, in one piece or several. So it is the folder that is watched, any event about the name counts as a hint, and after a short while the file is read.
+-- Editors write in many ways: into the file, or beside it with a rename, in one piece or several. So it is the folder
+-- that is watched, any event about the name counts as a hint, and after a short while the file is read.
 module Dioptre.View.Watch
   ( watching,
   )
@@ -20,7 +21,8 @@ import System.Directory (canonicalizePath)
 import System.FSNotify (StopListening, eventPath, watchDir, withManager)
 import System.FilePath (takeDirectory, takeFileName)
 
--- | Does some work, and meanwhile hands over what a file says after it may have changed. One that cannot be read is passed over: it may be about to be written. Where the system cannot watch, nothing is handed over.
+-- | Does some work, and meanwhile hands over what a file says after it may have changed. One that cannot be read is
+-- passed over: it may be about to be written. Where the system cannot watch, nothing is handed over.
 watching :: FilePath -> (Source -> IO ()) -> IO a -> IO a
 watching path changed act = do
   real <- canonicalizePath path

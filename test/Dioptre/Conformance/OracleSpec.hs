@@ -109,7 +109,8 @@ examples =
     ("geometry.hit", "{\"geometry\":{\"kind\":\"sphere\",\"position\":[0,0,1],\"ray\":2},\"ray\":{\"origin\":[0,0,9],\"direction\":[0,0,-1]}}", Absolute 1e-15, "{\"t\":6,\"point\":[0,0,3],\"normal\":[0,0,1],\"uv\":[0.75,0.5]}"),
     ("geometry.hit", "{\"geometry\":{\"kind\":\"sphere\"},\"ray\":{\"origin\":[0,0,9],\"direction\":[0,0,1]}}", Exact, "null"),
     ("geometry.hit", "{\"geometry\":{\"kind\":\"geometry\",\"scale\":[1,1,2],\"geometry\":{\"kind\":\"btriangle\",\"point\":[[0,0,0],[4,0,0],[0,4,0]],\"uv\":[[0,0],[1,0],[0,2]]}},\"ray\":{\"origin\":[1,1,6],\"direction\":[0,0,-2]}}", Exact, "{\"t\":3,\"point\":[1,1,0],\"normal\":[0,0,1],\"uv\":[0.25,0.5]}"),
-    -- The upper face is of a sphere around (0, 0, 2 - sqrt 3); at 0.5 from the axis it is at a height of sqrt 3.75 above its centre.
+    -- The upper face is of a sphere around (0, 0, 2 - sqrt 3); at 0.5 from the axis it is at a height of sqrt 3.75
+    -- above its centre.
     ("geometry.hit", "{\"geometry\":{\"kind\":\"lens\",\"point\":[[0,0,0],[0,0,2]],\"curvature\":[2,2]},\"ray\":{\"origin\":[0,0.5,9],\"direction\":[0,0,-1]}}", Absolute 1e-14, "{\"t\":6.795559134465169,\"point\":[0,0.5,2.2044408655348313],\"normal\":[0,0.25,0.9682458365518543],\"uv\":[0.5,0.25]}"),
     ("geometry.contains", "{\"geometry\":{\"kind\":\"cube\",\"size\":2},\"point\":[0.9,0.9,-0.9]}", Exact, "true"),
     ("geometry.contains", "{\"geometry\":{\"kind\":\"cube\",\"size\":2},\"point\":[1,0,0]}", Exact, "false"),

@@ -98,7 +98,8 @@ spec = do
     ran <- runCases quick (pure ()) "./there-is-no-such-program" [] (cases 1)
     either (const True) (const False) ran `shouldBe` True
 
--- | A port that reads requests and does something for each, with its identifier in @id@; @ok@ answers that with a number.
+-- | A port that reads requests and does something for each, with its identifier in @id@; @ok@ answers that with a
+-- number.
 answering :: Text -> Text
 answering each = "ok() { echo '{\"id\":'$id',\"ok\":'$1'}'; }; while read -r l; do id=${l#*:}; id=${id%%,*}; " <> each <> "; done"
 

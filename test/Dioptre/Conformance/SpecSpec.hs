@@ -1,6 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The specification and the vectors against this program: every example of spec/ and every case of conformance/ passes.
+-- | The specification and the vectors against this program: every example of spec/ and every case of conformance/
+-- passes.
 module Dioptre.Conformance.SpecSpec
   ( spec,
   )

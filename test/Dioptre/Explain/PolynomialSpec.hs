@@ -64,7 +64,8 @@ spec = do
 equation :: Maybe Shape -> Ray -> Maybe (Equation, [Candidate])
 equation shape r = (\s -> equationOf [] s r) <$> shape
 
--- | The coefficients of the conditions (of a slab: rate, start, low, high), and the roots, with what is told of those that are not on the shape.
+-- | The coefficients of the conditions (of a slab: rate, start, low, high), and the roots, with what is told of those
+-- that are not on the shape.
 told :: Maybe Shape -> Ray -> Maybe ([[Double]], [(Double, Measure)])
 told shape r = (\(e, candidates) -> (map numbers (equationConditions e), [(t, c) | Candidate t _ c <- candidates])) <$> equation shape r
   where

@@ -62,7 +62,8 @@ spec = do
 
   describe "a parameter that is off" $
     it "is seen" $ do
-      -- A sphere at the distance 4, met at 3 and 5: the allowance is 64 roundings of (4 + 4)^2 + 1 or less, through the slope 2.
+      -- A sphere at the distance 4, met at 3 and 5: the allowance is 64 roundings of (4 + 4)^2 + 1 or less, through the
+      -- slope 2.
       let expected = maybe [] (\s -> meetings (obvious (ASphere s) (lineOf (ray 0 (V3 1 0 0))))) (sphere (V3 4 0 0) 1)
       map isCertain expected `shouldBe` [True, True]
       [abs (meetingFrom m - t) < 1e-12 && abs (meetingTo m - t) < 1e-12 | (m, t) <- zip expected [3, 5]] `shouldBe` [True, True]

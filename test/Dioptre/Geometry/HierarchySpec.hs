@@ -92,7 +92,8 @@ spec = do
     it "tells a ray about few of them" $ do
       let n = 40000
           h = scattered n
-      -- The boxes are 1/500 wide: a ray through them meets one in some 10^5 or so, and tests what is in a leaf with each
+      -- The boxes are 1/500 wide: a ray through them meets one in some 10^5 or so, and tests what is in a leaf with
+      -- each
       countOffered h (ray (V3 0.5 0.5 (-1)) (V3 0.01 0.02 1)) `shouldSatisfy` (< n `div` 50)
   where
     withProcessors usual n = bracket_ (setNumCapabilities n) (setNumCapabilities usual)

@@ -23,8 +23,8 @@ spec = do
     it "is half balls around a cylinder for |c| = R" $ through 1 1 1 1 (V3 0 0 (-3)) (V3 0 0 1) `shouldBe` [2, 5]
     it "goes twice through a lens with two hollow faces, in and out of a hollow" $
       through 2 4 (-5) (-5) (V3 (-10) 0 0.5) (V3 1 0 0) `shouldSatisfy` ((== 4) . length)
-    -- On the meridian the hollows are z < sqrt (64 - x^2) - sqrt 48 and its mirror image in z = 1.5. At x = -4, -3, 3, 4 the line has
-    -- z = 0.06, 0.42, 2.58, 2.94, and the hollows begin at 0, 0.49, 2.51, 3.
+    -- On the meridian the hollows are z < sqrt (64 - x^2) - sqrt 48 and its mirror image in z = 1.5. At x = -4, -3, 3,
+    -- 4 the line has z = 0.06, 0.42, 2.58, 2.94, and the hollows begin at 0, 0.49, 2.51, 3.
     it "goes three times through one, if it crosses both hollows" $
       through 3 4 (-8) (-8) (V3 0 0 1.5) (V3 1 0 0.36) `shouldSatisfy` ((== 6) . length)
     it "has its rim" $ through 1 1 2 2 (V3 (-3) 0 0) (V3 1 0 0) `shouldBe` [2, 4]

@@ -76,7 +76,8 @@ spec = do
       it "drops a root that is too large for a double" $ quarticRoots 0x1p-1074 1 0 0 (-1) `shouldBe` [1]
 
     it "finds a root that is as far as Cauchy's bound, but for rounding" $
-      -- All roots add to -b/a = 24982494165749701.62, the other two to -0.70: it is ...702.33, and doubles here are 4 apart.
+      -- All roots add to -b/a = 24982494165749701.62, the other two to -0.70: it is ...702.33, and doubles here are 4
+      -- apart.
       drop 2 (cubicRoots 2.6636193460108317e-8 (-6.654385477149364e8) (-4.677984698546547e8) 1) `shouldBe` [2.4982494165749704e16]
 
     describe "as laws" $ do

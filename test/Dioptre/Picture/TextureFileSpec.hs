@@ -2,8 +2,9 @@
 
 -- | Pictures as textures read them: the rows of TGA files stay in the order in which they are stored.
 --
--- The files are written by hand here, from Truevision's TGA specification 2.0: a header of 18 bytes (kind of picture in byte 2, width and height in bytes
--- 12 to 15, bits a pixel in byte 16, descriptor in byte 17), then pixels as blue, green, red (and alpha).
+-- The files are written by hand here, from Truevision's TGA specification 2.0: a header of 18 bytes (kind of picture in
+-- byte 2, width and height in bytes 12 to 15, bits a pixel in byte 16, descriptor in byte 17), then pixels as blue,
+-- green, red (and alpha).
 module Dioptre.Picture.TextureFileSpec
   ( spec,
   )

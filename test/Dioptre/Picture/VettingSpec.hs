@@ -26,7 +26,8 @@ spec = do
     it "is refused where it has no image, or breaks off" $ map (isLeft . vetted) ["GIF89a", Bytes.take 20 (gif 2), "GIF89a" <> Bytes.pack [1, 0, 1, 0, 0, 0, 0, 0x3B]] `shouldBe` [True, True, True]
   it "leaves other files alone" $ map vetted ["BM", "\xFF\xD8", "abc", ""] `shouldBe` map Right ["BM", "\xFF\xD8", "abc", ""]
   where
-    -- Two pixels of colour type 2 in one row, which are seven bytes with the one before the row; what the header says of depth, colours and height.
+    -- Two pixels of colour type 2 in one row, which are seven bytes with the one before the row; what the header says
+    -- of depth, colours and height.
     png depth kind height =
       "\x89PNG\r\n\x1A\n" <> chunk "IHDR" (Bytes.pack ([0, 0, 0, 2, 0, 0, 0, height] <> [depth, kind, 0, 0, 0])) (check depth kind height)
         <> chunk "IDAT" (Bytes.pack [120, 156, 99, 96, 100, 98, 254, 245, 251, 15, 0, 6, 3, 2, 248]) [78, 150, 173, 182]

@@ -31,7 +31,8 @@ spec = do
     -- Its bytes, four for each pixel, and what a row has once. Measured with GHC 9.0.2: 4.2 bytes.
     it "without light, allocates its bytes and nothing else" $
       bytesPerPixel (Text.replace "blinn" "no_light") >>= (`shouldSatisfy` (\bytes -> bytes >= 4 && bytes < 6 + wholeRays 1))
-    -- The primary ray, and what was hit. Measured with GHC 9.0.2: 174 bytes. Nothing for what each light adds: a shadow ray alone would be 64 bytes.
+    -- The primary ray, and what was hit. Measured with GHC 9.0.2: 174 bytes. Nothing for what each light adds: a shadow
+    -- ray alone would be 64 bytes.
     it "with light and shadows, allocates little for each pixel" $
       bytesPerPixel id >>= (`shouldSatisfy` (< 220 + wholeRays 2))
   describe "colourAt" $ modifyMaxSuccess (* 2) $ prop "is what a second ray tracer sees" (checkCoverage . coloursAreBruteForce)
@@ -40,7 +41,8 @@ spec = do
     -- GHC from 9.4 on makes a ray where one of the shapes may want it whole; measured with GHC 9.6.6: 68 and 331 bytes.
     wholeRays n = if compilerVersion < Version [9, 4] [] then 0 else 64 * n
 
--- | Bytes allocated for each pixel of a plane with six spheres under two lights, in twenty rows of its picture, after a change to the scene's text.
+-- | Bytes allocated for each pixel of a plane with six spheres under two lights, in twenty rows of its picture, after a
+-- change to the scene's text.
 bytesPerPixel :: (Text -> Text) -> IO Double
 bytesPerPixel change = do
   text <- Text.readFile "bench/six-spheres/scene.txt"

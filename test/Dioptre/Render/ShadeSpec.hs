@@ -137,8 +137,9 @@ lights = do
     [colourIn (["camera", "far_clipping_plane " <> far, "end"] ++ floorOf chalk ++ lampAt 4 []) slanting | far <- ["5.001", "5", "4.999"]] `shouldBe` [white, nothing, nothing]
 
   describe "under each algorithm" $ do
-    -- ka, kd, ks are 1/8, 1/4, 1/2 of white. Lit and seen from straight above, each term is 1; and light and viewer on one side at the sine of 3/5 leave
-    -- Blinn's highlight as it is with a shininess of 0, and Phong's cosine of the double angle, 16/25 - 9/25
+    -- ka, kd, ks are 1/8, 1/4, 1/2 of white. Lit and seen from straight above, each term is 1; and light and viewer on
+    -- one side at the sine of 3/5 leave Blinn's highlight as it is with a shininess of 0, and Phong's cosine of the
+    -- double angle, 16/25 - 9/25
     for_ [("ambient", 1 / 8), ("diffuse", 1 / 4), ("phong_specular", 1 / 2), ("blinn_specular", 1 / 2), ("no_specular", 3 / 8), ("phong", 7 / 8), ("blinn", 7 / 8)] $ \(algorithm, sum') ->
       it ("add up the terms of " <> Text.unpack algorithm) $
         colourIn (tracer ["reflexion_algorithm " <> algorithm] ++ floorOf ["ka 0.125", "kd 0.25", "ks 0.5"] ++ lampAt 9 [] ++ ["ambient_light", "end"]) downwards `shouldBe` rgb sum' sum' sum'
@@ -161,7 +162,8 @@ lights = do
     it "are gone where a pane lets none of their colour through" $
       colourIn (floorOf chalk ++ waves ["position 0 0 4"] ++ pane 2 ["kt 1", "color blue"]) slanting `shouldBe` nothing
     it "are none without sources" $ colourIn (floorOf chalk ++ waves ["position 0 0 4", "nb_oscillator 0"]) slanting `shouldBe` nothing
-    -- Two sources 0.5 mm apart, the light straight above one of them 4 m away: the other is farther by 3.125e-8 m, less than a tenth of a wavelength
+    -- Two sources 0.5 mm apart, the light straight above one of them 4 m away: the other is farther by 3.125e-8 m, less
+    -- than a tenth of a wavelength
     it "interfere" $ do
       let at x = red (colourIn (floorOf chalk ++ ["linear_aperture_light", "wave_length 625", "nb_oscillator 2", "position -0.25 0 4", "position 0.25 0 4", "end"]) (ray (V3 x 0 3) (V3 0 0 (-1))))
           bright = red (colourOfWavelength 625) / 2
@@ -225,8 +227,8 @@ ball name z = thing name ["sphere", "position 0 0 " <> shown z, "ray 0.5", "end"
 -------------------------------------------------------------------------------
 -- Closed forms
 
--- | A camera 5 above a floor, looking straight down at a right angle: the pixel in column x and row y of 9 by 7 shows the point
--- 10 / 7 (x - 4), 10 / 7 (3 - y) of the floor.
+-- | A camera 5 above a floor, looking straight down at a right angle: the pixel in column x and row y of 9 by 7 shows
+-- the point 10 / 7 (x - 4), 10 / 7 (3 - y) of the floor.
 pixels :: Spec
 pixels = do
   it "are kd cos a from far away" $
@@ -247,14 +249,16 @@ pixels = do
   it "are ks (2 (5 / D)^2 - 1)^k in Phong's" $
     everyPixel ["point_light", "position 0 0 5", "end"] "phong_specular" ["ks 0.5", "shininess 3"] $ \p ->
       let c = 2 * (5 / distance p eye) ^ (2 :: Int) - 1 in replicate 3 (if c < 0 then 0 else 0.5 * c ^ (3 :: Int))
-  -- The lamp at the camera's mirror image in a vertical plane: light from (x0, 0, 5), seen from the eye, and half way at x0 / 2 it is full
+  -- The lamp at the camera's mirror image in a vertical plane: light from (x0, 0, 5), seen from the eye, and half way
+  -- at x0 / 2 it is full
   it "are ks <N, H>^k for a lamp beside the camera" $
     everyPixel ["point_light", "position 4 0 5", "end"] "blinn_specular" ["ks 1", "shininess 8"] $ \p ->
       let l = towards p (V3 4 0 5); e = towards p eye; V3 _ _ hz = towards 0 (l + e) in replicate 3 (hz ^ (8 :: Int))
   it "are the sum in Blinn's model" $
     everyPixel ["point_light", "position 0 0 5", "end", "ambient_light", "color 0.5 0.5 0.5", "end"] "blinn" ["ka 0.5", "kd 0.5", "ks 0.25", "shininess 2", "color 1 0.5 0", "plasticity 0.5"] $ \p ->
       let c = 5 / distance p eye in zipWith (\kd ks -> 0.5 * kd + kd * c + ks * c * c) [0.5, 0.25, 0] [0.25, 0.1875, 0.125]
-  -- A ball of radius 1 in the middle between lamp and floor: its shadow has a sharp rim where the tangent from (0, 0, 4) meets the floor
+  -- A ball of radius 1 in the middle between lamp and floor: its shadow has a sharp rim where the tangent from (0, 0,
+  -- 4) meets the floor
   it "are in shadow within a radius of 4 / sqrt 3 of a ball of radius 1, 2 below the lamp" $
     everyPixel (["point_light", "position 0 0 4", "end"] ++ thing "ball" ["sphere", "position 0 0 2", "end"] ["kt 0.5", "ka 0", "kd 0", "ks 0", "color 1 0 1"]) "diffuse" ["kd 1"] $ \p ->
       let away = modulus p
@@ -313,8 +317,9 @@ mirrors = do
 bodies :: Spec
 bodies = do
   prop "a slab leaves rays parallel, displaced by L sin (a - b) / cos b" slabDisplaces
-  -- With sin a = h / R and sin a = n sin b the ray turns by a - b on its way in and on its way out. Far from the origin a small ball's coordinates are coarser than its
-  -- surface is thick, so that many a ray leaves from a point that is inside, by the numbers: the shape that is left does not count all the same
+  -- With sin a = h / R and sin a = n sin b the ray turns by a - b on its way in and on its way out. Far from the origin
+  -- a small ball's coordinates are coarser than its surface is thick, so that many a ray leaves from a point that is
+  -- inside, by the numbers: the shape that is left does not count all the same
   it "a ball turns a ray by 2 (a - b), also where coordinates are coarse" $
     for_ [(1, 0), (0.001, 10000)] $ \(radius, x) ->
       for_ [0.05, 0.1 .. 0.9] $ \sine -> do
@@ -326,7 +331,8 @@ bodies = do
             mark = thing "mark" ["sphere", "position " <> Text.unwords [shown markX, shown markY, "0"], "ray 0.01", "end"] ["ka 1"]
             glass = thing "glass" ["sphere", "position " <> shown x <> " 0 0", "ray " <> shown radius, "end"] (clear ++ ["refractive_index 1.5"])
         (sine, colourIn (["camera", "far_clipping_plane 10000", "end"] ++ tracer ["recursive_level 3"] ++ ["ambient_light", "end"] ++ mark ++ glass) (ray (V3 (x - 10) (radius * sine) 0) (V3 1 0 0))) `shouldBe` (sine, white)
-  -- Entering: its own light c; inside: c again, through the colour times kt; outside: what lies behind, through kt once more
+  -- Entering: its own light c; inside: c again, through the colour times kt; outside: what lies behind, through kt once
+  -- more
   it "a ball of index 1 is seen by its own light only, and what lies behind shines through" $ do
     let at level = colourIn (behind level (ball "glass" 2 ["ka 1", "kt 0.5", "color 1 0.5 0.25"])) downwards
     at 1 `shouldBe` rgb 1 0.5 0.25
@@ -369,7 +375,8 @@ bodies = do
     it "do not count a shape whose surface the point is on" $ map (index nested Nothing) [V3 3 0 0, V3 0 2 0, V3 1 0 0] `shouldBe` [1, 1.5, 1.75]
     it "are 1 where nothing is transparent" $ index (thing "c" ["cube", "end"] ["refractive_index 9"]) Nothing 0 `shouldBe` 1
     it "are those of the outer body, where a ray leaves the inner one" $ do
-      -- Leaving the inner ball (index 4) at (0, 0, -1), straight, and the outer cube (index 4/3) at a sine of 3/5: as if from that cube alone
+      -- Leaving the inner ball (index 4) at (0, 0, -1), straight, and the outer cube (index 4/3) at a sine of 3/5: as
+      -- if from that cube alone
       let mark = thing "mark" ["sphere", "position 4.75 0 -4", "ray 1e-6", "end"] ["ka 1"]
           inner = thing "inner" ["sphere", "ray 0.5", "end"] (clear ++ ["refractive_index 4"])
           outer = thing "outer" ["cube", "size 2", "end"] (clear ++ ["refractive_index 1.33333333333333333"])
@@ -381,8 +388,8 @@ bodies = do
 -------------------------------------------------------------------------------
 -- Pictures on surfaces
 
--- | A floor with a picture of three by three pixels, of which one unit square shows all: at (x, -y), in units, is the pixel at trunc (2 x), trunc (2 y). The one in the
--- middle is magenta.
+-- | A floor with a picture of three by three pixels, of which one unit square shows all: at (x, -y), in units, is the
+-- pixel at trunc (2 x), trunc (2 y). The one in the middle is magenta.
 textures :: Spec
 textures = do
   it "stand in for the diffuse colour, kd and colour left out, where there is no light" $ do
@@ -474,8 +481,8 @@ pictures = do
         one = planOf ["pixel_coordinate center"]
     [colourOf many x y | (x, y) <- allOf] `shouldBe` [colourOf one x y | (x, y) <- allOf]
   it "show as much of an edge in each pixel as it covers" $
-    -- A half plane right of x = 3.05 + 0.1 y, in pixels: in row y it covers 0.9 - 0.1 y of column 3. The mean of n samples is off by sqrt (p (1 - p) / n) in the
-    -- mean of squares, and by more than 5 times that once in a million
+    -- A half plane right of x = 3.05 + 0.1 y, in pixels: in row y it covers 0.9 - 0.1 y of column 3. The mean of n
+    -- samples is off by sqrt (p (1 - p) / n) in the mean of squares, and by more than 5 times that once in a million
     for_ [16, 256, 4096] $ \n -> do
       let p = edge n
           covered y = 0.9 - 0.1 * fromIntegral (y :: Int)

@@ -140,7 +140,8 @@ sourcesOf s = case s of
 pictures :: Map.Map Text Picture
 pictures = Map.fromList [("white.png", whitePicture), ("half.png", halfPicture), ("almost.png", almostPicture)]
 
--- | White; three by three with a white column at the left, but for its last row, and a white pixel at the end; and one level less than white.
+-- | White; three by three with a white column at the left, but for its last row, and a white pixel at the end; and one
+-- level less than white.
 whitePicture, halfPicture, almostPicture :: Picture
 whitePicture = board ["#"]
 halfPicture = board ["#..", "#..", "..#"]

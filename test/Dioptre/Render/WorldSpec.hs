@@ -81,8 +81,9 @@ spec = do
       built <- allocatedBy (overLists (worldOf (take 8 (ofMakers planes))))
       built `shouldSatisfy` (> 40 * 8 * rays)
 
-  -- What is left is the ray made ready, and what was found so far, leaf by leaf; nothing of what is tried, nor of the way down. Measured with GHC 9.0.2: 180 bytes a ray among spheres, 190 among a
-  -- hundred times as many; 456 for a mesh somewhere, where the ray is carried back and seen from, whatever the number of triangles.
+  -- What is left is the ray made ready, and what was found so far, leaf by leaf; nothing of what is tried, nor of the
+  -- way down. Measured with GHC 9.0.2: 180 bytes a ray among spheres, 190 among a hundred times as many; 456 for a mesh
+  -- somewhere, where the ray is carried back and seen from, whatever the number of triangles.
   describe "closest, with an index" $ do
     it "allocates little for each ray, and no more among many shapes" $ do
       [few, most] <- mapM (bytesPerRay . worldOf . scattered) [100, 10000]

@@ -89,7 +89,8 @@ notesIn r = departures (readingSource r) (parse (readingSource r)) (readingDiagn
 notesOf :: [Text] -> [Diagnostic]
 notesOf = notesIn . readSource . fromText "scene.txt" . Text.unlines
 
--- | One thing that the original does otherwise, a scene that shows it, where, and one that is nearly the same and does not.
+-- | One thing that the original does otherwise, a scene that shows it, where, and one that is nearly the same and does
+-- not.
 data Sample = Sample
   { about :: String,
     departure :: Departure,

@@ -1,6 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The viewer from outside: a page's requests and messages, over a real socket. (The page itself, in a real browser, is tried by test/browser.)
+-- | The viewer from outside: a page's requests and messages, over a real socket. (The page itself, in a real browser,
+-- is tried by test/browser.)
 module Dioptre.View.ServerSpec (spec) where
 
 import Control.Concurrent (threadDelay)
@@ -211,7 +212,8 @@ spec = do
       atomically (readTVar (viewerTable viewer) >>= check . (== 0) . deskPages)
       talking viewer (\c -> void (await c "start"))
 
--- | A scene that is drawn in no time, another one, one with an error in line 13, one that takes long, and one with many pixels.
+-- | A scene that is drawn in no time, another one, one with an error in line 13, one that takes long, and one with many
+-- pixels.
 small, other, faulty, slow, large :: Text
 small = "viewport\nwidth 40\nheight 30\nend\nmaterial\nname red\ncolor 1 0 0\nend\nprimitive\nmaterial_name red\nsphere\nposition 5 0 0\nray 1\nend\nend\n"
 other = Text.replace "ray 1\n" "ray 2\n" small

@@ -112,7 +112,8 @@ viewing text act = do
   put "s.txt" (Text.encodeUtf8 text)
   withViewer (Settings Nothing English True (fromText "s.txt" text) True) act >>= either (fail . show) pure
 
--- | Waits until a viewer tells as many faults as there are in a text and the files now, and, if none is an error, shows the picture that render draws, which is to be another one than before. Returns what is shown.
+-- | Waits until a viewer tells as many faults as there are in a text and the files now, and, if none is an error, shows
+-- the picture that render draws, which is to be another one than before. Returns what is shown.
 follows :: Viewer -> Text -> Maybe Picture -> IO Picture
 follows viewer text old = do
   loaded <- loadSource English (fromText "s.txt" text)

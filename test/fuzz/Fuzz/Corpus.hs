@@ -5,7 +5,8 @@
 -- Module      : Fuzz.Corpus
 -- Description : Good inputs to begin with
 --
--- The scenes, models and small pictures of the project, the requests of the conformance suite, and the inputs that once failed.
+-- The scenes, models and small pictures of the project, the requests of the conformance suite, and the inputs that once
+-- failed.
 module Fuzz.Corpus
   ( Corpus,
     readCorpus,
@@ -35,7 +36,8 @@ type Corpus = Map Kind (NonEmpty ByteString)
 casesFolder :: FilePath
 casesFolder = "test/fuzz/cases"
 
--- | The corpus of the project in whose folder the program runs. Files are taken in alphabetical order, so that it is the same everywhere.
+-- | The corpus of the project in whose folder the program runs. Files are taken in alphabetical order, so that it is
+-- the same everywhere.
 readCorpus :: IO Corpus
 readCorpus = do
   paths <- concat <$> traverse filesIn ["scenes", "models", "test/fuzz/seeds", casesFolder]

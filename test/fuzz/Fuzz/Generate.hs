@@ -5,8 +5,9 @@
 -- Module      : Fuzz.Generate
 -- Description : Inputs from the grammars
 --
--- Inputs that are nearly right by themselves. Scenes come from the program's own tables: each object with the words that its description knows, each word with a value that its
--- description asks for, or with one at the edge of that. So a new word, shape or light is tried without a change here.
+-- Inputs that are nearly right by themselves. Scenes come from the program's own tables: each object with the words
+-- that its description knows, each word with a value that its description asks for, or with one at the edge of that. So
+-- a new word, shape or light is tried without a change here.
 module Fuzz.Generate
   ( generate,
     dictionary,
@@ -80,7 +81,8 @@ generate corpus kind = do
       inner <- fresh
       pure (Bytes.concat (replicate depth (w <> "\n") <> [inner] <> (if closed then replicate depth "end\n" else [])))
 
--- | The text with about a third of its numbers replaced by a few that lie at edges, so that very large and very small ones come together.
+-- | The text with about a third of its numbers replaced by a few that lie at edges, so that very large and very small
+-- ones come together.
 exaggerated :: ByteString -> Gen ByteString
 exaggerated text = Chars.unlines <$> traverse line (Chars.lines text)
   where

@@ -4,8 +4,9 @@
 -- Module      : Fuzz.Limits
 -- Description : Work that may take so much and no more
 --
--- A limit on time, by a timer, and one on memory: the run-time system counts what a thread allocates, and interrupts it where that passes a limit. What is
--- allocated is more than what is ever in memory at once, so that the second limit bounds memory, and time too: but it is the same number on every machine, and on a busy one.
+-- A limit on time, by a timer, and one on memory: the run-time system counts what a thread allocates, and interrupts it
+-- where that passes a limit. What is allocated is more than what is ever in memory at once, so that the second limit
+-- bounds memory, and time too: but it is the same number on every machine, and on a busy one.
 module Fuzz.Limits
   ( Budget (..),
     Outcome (..),

@@ -4,8 +4,9 @@
 -- Module      : Fuzz.Mutate
 -- Description : Inputs from other inputs
 --
--- Two ways to spoil what was good. One knows nothing but bytes: bits are flipped, pieces are put in, left out, doubled and exchanged with those of another file. The
--- other one knows of lines and words: it keeps most of an input meaningful, so that what is wrong is found in the deeper stages.
+-- Two ways to spoil what was good. One knows nothing but bytes: bits are flipped, pieces are put in, left out, doubled
+-- and exchanged with those of another file. The other one knows of lines and words: it keeps most of an input
+-- meaningful, so that what is wrong is found in the deeper stages.
 module Fuzz.Mutate
   ( -- * Mutating
     spoiltBytes,

@@ -70,7 +70,8 @@ tryInput corpus t = fmap (\failure -> Finding t failure bytes) <$> trial (tryKin
 tryMany :: Corpus -> [Try] -> IO [Finding]
 tryMany corpus = fmap concat . traverse (fmap (maybe [] pure) . tryInput corpus)
 
--- | Shrinks what fails and writes it to the folder of cases, under a name that says how it fails, with that number. The path, and the shrunk input.
+-- | Shrinks what fails and writes it to the folder of cases, under a name that says how it fails, with that number. The
+-- path, and the shrunk input.
 keepFinding :: Int -> Finding -> IO (FilePath, ByteString)
 keepFinding number (Finding (Try _ kind _) failure bytes) = do
   small <- shrunk (if Bytes.length bytes > 20000 then 300 else 3000) fails bytes

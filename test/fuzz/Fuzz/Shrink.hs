@@ -2,8 +2,9 @@
 -- Module      : Fuzz.Shrink
 -- Description : The part of an input that matters
 --
--- Of an input that fails, as much is left out as can be while it still fails: first half of its lines, then a quarter, down to single ones; then the same with bytes. (A. Zeller, R. Hildebrandt,
--- "Simplifying and isolating failure-inducing input", IEEE TSE 28(2), 2002, without the second half of their algorithm.)
+-- Of an input that fails, as much is left out as can be while it still fails: first half of its lines, then a quarter,
+-- down to single ones; then the same with bytes. (A. Zeller, R. Hildebrandt, "Simplifying and isolating
+-- failure-inducing input", IEEE TSE 28(2), 2002, without the second half of their algorithm.)
 module Fuzz.Shrink
   ( shrunk,
   )

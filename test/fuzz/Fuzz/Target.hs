@@ -77,7 +77,8 @@ import Dioptre.Syntax.Grammar (parse)
 import Fuzz.Kind (Kind (..))
 import Fuzz.Limits (Budget (..), Outcome (..), limited)
 
--- | What is wrong with what becomes of an input: a name of a few words for the kind of failure, and more about this one.
+-- | What is wrong with what becomes of an input: a name of a few words for the kind of failure, and more about this
+-- one.
 data Failure = Failure Text String
   deriving stock (Eq, Show)
 
@@ -94,7 +95,8 @@ trial kind bytes = either Just (const Nothing) <$> try (tried kind bytes)
 failing :: Text -> String -> IO a
 failing name = throwIO . Failure name
 
--- | Work that takes at most some seconds and megabytes for each megabyte of the input, and 10 seconds and 200 megabytes more. Its name is what fails.
+-- | Work that takes at most some seconds and megabytes for each megabyte of the input, and 10 seconds and 200 megabytes
+-- more. Its name is what fails.
 bounded :: Text -> Double -> Double -> ByteString -> IO a -> IO a
 bounded = boundedFrom 200
 
@@ -193,7 +195,8 @@ colouredWell bytes library scene = do
     places = Set.fromList [(0, 0), (w - 1, 0), (w `div` 2, h `div` 2), (w - 1, h - 1)]
     w = viewportWidth (sceneViewport modest)
     h = viewportHeight (sceneViewport modest)
-    -- The time that a pixel may take by right is the product of samples, rays, lights and their sources: less of each is asked for.
+    -- The time that a pixel may take by right is the product of samples, rays, lights and their sources: less of each
+    -- is asked for.
     modest = scene {sceneRaytracer = tracer {raytracerSampling = min 2 (raytracerSampling tracer), raytracerRecursiveLevel = level}, sceneLights = map fewer (sceneLights scene)}
     tracer = sceneRaytracer scene
     level = (if length (sceneLights scene) + length (scenePrimitives scene) > 60 then min 3 else id) (raytracerRecursiveLevel tracer)

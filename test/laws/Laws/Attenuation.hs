@@ -26,8 +26,9 @@ instance Arbitrary Lamplight where
       -- From 2^-60 to 2^60: no product comes near the ends of the range.
       magnitude = encodeFloat <$> choose (2 ^ (52 :: Int), 2 ^ (53 :: Int) - 1) <*> choose (-112, 8)
 
--- | The strength is the quotient as it stands, to five roundings: two products and two sums for the term with the most of them,
--- and the division. Nothing is subtracted, so that relative errors only add up: (1 + u)^5 - 1 is less than 5.01 u, with u = 2^-53.
+-- | The strength is the quotient as it stands, to five roundings: two products and two sums for the term with the most
+-- of them, and the division. Nothing is subtracted, so that relative errors only add up: (1 + u)^5 - 1 is less than
+-- 5.01 u, with u = 2^-53.
 strengthIsTheQuotient :: Lamplight -> Property
 strengthIsTheQuotient (Lamplight a d _) = case attenuated a d of
   Nothing -> counterexample "no strength" (property False)

@@ -164,7 +164,8 @@ onBody body = case body of
       let s = signum c
       pure (p + rho *^ around n a + (s * (sqrt (c * c - rho * rho) - sqrt (c * c - r * r))) *^ vector n)
 
--- | Where the farthest points of a shape are known, the box ends within 2^-19 of its size beside them: sphere, cube, triangle, disk, tube, torus.
+-- | Where the farthest points of a shape are known, the box ends within 2^-19 of its size beside them: sphere, cube,
+-- triangle, disk, tube, torus.
 isTight :: Body -> Property
 isTight body = case extremes of
   [] -> property True
@@ -190,7 +191,8 @@ isTight body = case extremes of
       OfTorus p n major minor -> [p + rim n major a + minor *^ a | a <- axes]
       _ -> []
 
--- | Points at which spheres and tori are hit, as they are computed, are in their boxes, seen from up to 2^14 sizes away.
+-- | Points at which spheres and tori are hit, as they are computed, are in their boxes, seen from up to 2^14 sizes
+-- away.
 holdsHits :: Property
 holdsHits = forAll aPoint $ \p -> forAll aUnit $ \n -> forAll ((10 **) <$> choose (-2, 2)) $ \r -> forAll (choose (0.05, 2)) $ \ratio ->
   forAll (rayAt p r) $ \sight ->
@@ -206,7 +208,8 @@ holdsHits = forAll aPoint $ \p -> forAll aUnit $ \n -> forAll ((10 **) <$> choos
 
 -- | Points at which a shape of any sort is hit, as they are computed, are in its box; a plane has none.
 --
--- The rounded normal of a needle is noise, and so is the parameter at which a ray along a triangle meets it: such triangles and rays, by more than 2^-10, are left out.
+-- The rounded normal of a needle is noise, and so is the parameter at which a ray along a triangle meets it: such
+-- triangles and rays, by more than 2^-10, are left out.
 holdsHitsOfShapes :: Property
 holdsHitsOfShapes = forAll ((,) <$> elements [minBound ..] <*> elements [Few, Full]) $ \(sort', kind) -> forAll (Aim.shapeOf sort' kind) $ \shape -> forAll (Aim.rayAt kind shape) $ \r ->
   case ofShape shape of
@@ -241,9 +244,11 @@ atLeast x = if toRational y >= x then y else nudged 1 y
   where
     y = fromRational x
 
--- | A ray that is said to meet a box does, up to the bound, if the box is larger by 2^-48 of the distances: what the slack of the test comes to.
+-- | A ray that is said to meet a box does, up to the bound, if the box is larger by 2^-48 of the distances: what the
+-- slack of the test comes to.
 --
--- A computed entry or exit is off by less than 2^-49 of itself, and to move a face by 2^-48 of its distance moves the exact one by more than that.
+-- A computed entry or exit is off by less than 2^-49 of itself, and to move a face by 2^-48 of its distance moves the
+-- exact one by more than that.
 agreesWithTheExactAnswer :: Aimed -> Property
 agreesWithTheExactAnswer (Aimed b r) = forAll (elements ([1 / 0, 1000, 1, 0] ++ beside)) $ \far ->
   meetsBox r b far ==> case exactInterval (looser b) r of

@@ -2,8 +2,10 @@
 -- Module      : Laws.Exactness
 -- Description : The program against the plain list, and against the obvious implementation
 --
--- Two opinions on what a ray meets. The plain list tries every shape by the program's own rules, one after the other: the index must give the same number, to the bit. "Laws.Obvious" knows none of these rules and
--- does not round: there the program must meet the same shape, at a parameter within the allowance, or be so near to an edge, a tangent or another shape that rounding may decide.
+-- Two opinions on what a ray meets. The plain list tries every shape by the program's own rules, one after the other:
+-- the index must give the same number, to the bit. "Laws.Obvious" knows none of these rules and does not round: there
+-- the program must meet the same shape, at a parameter within the allowance, or be so near to an edge, a tangent or
+-- another shape that rounding may decide.
 module Laws.Exactness
   ( -- * What is drawn
     Sort (..),
@@ -315,7 +317,8 @@ acrossTo n = do
 -- | Shapes as a scene has them, prepared for both.
 data Scenery = Scenery {sceneryShapes :: [Shape], sceneryTriangles :: Int, sceneryWorld :: World, sceneryPlain :: [Prepared], sceneryObvious :: [Obvious]}
 
--- | Shapes of all sorts, more than are tried one after the other, some of them twice; and meshes that are scaled, turned and moved. A mesh is its triangles in the plain list.
+-- | Shapes of all sorts, more than are tried one after the other, some of them twice; and meshes that are scaled,
+-- turned and moved. A mesh is its triangles in the plain list.
 scenery :: Manner -> Int -> Gen Scenery
 scenery manner n = do
   kind <- kindInScenes manner
@@ -330,8 +333,9 @@ scenery manner n = do
   where
     finishes = Vector.singleton (withPictures (const Nothing) (finish standard))
 
--- | A triangle with an angle below 2^-10 or so. Its normal is known to 2^-52 over that angle, so that the parameter of a ray that sees it from the edge may be any: even one whose point is outside of the triangle's box, which the plain list
--- takes and an index does not.
+-- | A triangle with an angle below 2^-10 or so. Its normal is known to 2^-52 over that angle, so that the parameter of
+-- a ray that sees it from the edge may be any: even one whose point is outside of the triangle's box, which the plain
+-- list takes and an index does not.
 isNeedle :: Shape -> Bool
 isNeedle shape = case shape of
   ATriangle t -> thin (trianglePoints t)
@@ -341,7 +345,8 @@ isNeedle shape = case shape of
   where
     thin (Corners a b c) = or [modulus (cross (q - p) (s - p)) < 2 ** (-10) * distance p q * distance p s | (p, q, s) <- [(a, b, c), (b, c, a), (c, a, b)]]
 
--- | Not all sizes: the boxes of an index hold what the shapes' rules meet for rays from no farther away than 2^14 times the size of a shape ("Dioptre.Geometry.Bounds", Note [How much larger]).
+-- | Not all sizes: the boxes of an index hold what the shapes' rules meet for rays from no farther away than 2^14 times
+-- the size of a shape ("Dioptre.Geometry.Bounds", Note [How much larger]).
 kindInScenes :: Manner -> Gen Kind
 kindInScenes manner = case manner of
   Ordinary -> pure Full
@@ -403,7 +408,8 @@ data Measured = Measured
     measuredParameter :: Double,
     -- | |t - t*| \/ |t*|, in units of eps.
     relativeError :: Double,
-    -- | How many units of eps the parameter is off if each of the numbers that it is made of is off by one of its own. It is large where the line crosses the surface at a flat angle, or comes from far away.
+    -- | How many units of eps the parameter is off if each of the numbers that it is made of is off by one of its own.
+    -- It is large where the line crosses the surface at a flat angle, or comes from far away.
     condition :: Double
   }
   deriving (Eq, Show)
@@ -434,10 +440,12 @@ compared (Aimed shape r) = Comparison wrong clear (length ts - length clear)
 holdsIn :: Double -> Meeting -> Bool
 holdsIn t m = meetingFrom m <= toRational t && toRational t <= meetingTo m
 
--- | How near the specification promises the points of a shape to its surface (@geometry.cone.interval@, @geometry.cap.parameters@, @geometry.lens.body@, @geometry.torus.precision@): each parameter with the distance of its point from
--- the surface, and the bound. None of shapes for which it promises something else.
+-- | How near the specification promises the points of a shape to its surface (@geometry.cone.interval@,
+-- @geometry.cap.parameters@, @geometry.lens.body@, @geometry.torus.precision@): each parameter with the distance of its
+-- point from the surface, and the bound. None of shapes for which it promises something else.
 --
--- The point is taken without rounding. N is the way that the ray comes, by its point nearest to the shape's middle, and the size of the shape.
+-- The point is taken without rounding. N is the way that the ray comes, by its point nearest to the shape's middle, and
+-- the size of the shape.
 promised :: Aimed -> [(Double, Rational, Rational)]
 promised (Aimed shape r) = case shape of
   ACone x ->
@@ -494,7 +502,8 @@ isAsNearAsPromised aimed = conjoin [counterexample (show (t, fromRational off ::
 
 -- | What is closest is a shape where the ray may meet it, and before there is no place where a ray must meet a shape.
 --
--- So where the exact closest hit is certain, and no other shape may be met before or within its bounds, it is the same shape, at a parameter within them.
+-- So where the exact closest hit is certain, and no other shape may be met before or within its bounds, it is the same
+-- shape, at a parameter within them.
 closestIsObvious :: Crowd -> Property
 closestIsObvious (Crowd s rays) = conjoin [maybe (property True) (\why -> counterexample (show r <> ": " <> why) False) (closestDisagreement s r) | r <- rays]
 

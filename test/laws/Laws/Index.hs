@@ -2,7 +2,8 @@
 -- Module      : Laws.Index
 -- Description : What is true of boxes in boxes
 --
--- A hierarchy must offer a ray whatever it may meet, and give each item once. What a ray may meet is decided a second time, box by box, with rational numbers.
+-- A hierarchy must offer a ray whatever it may meet, and give each item once. What a ray may meet is decided a second
+-- time, box by box, with rational numbers.
 module Laws.Index
   ( -- * Drawn things
     Crowd (..),
@@ -140,7 +141,8 @@ boxlessComeFirst c@(Crowd boxes _) = take (length boxless) (primArrayToList (hie
   where
     boxless = [i | (i, b) <- zip [0 ..] boxes, isNothing b]
 
--- | No item is in more boxes than a trail has bits; there are fewer nodes than twice as many as items with a box, and none if there is none.
+-- | No item is in more boxes than a trail has bits; there are fewer nodes than twice as many as items with a box, and
+-- none if there is none.
 isAsDeepAsItsTrail :: Crowd -> Property
 isAsDeepAsItsTrail c@(Crowd boxes _) =
   counterexample (show (nodes, depth)) $
@@ -173,7 +175,8 @@ offersNothingTwice c@(Crowd boxes r) = forAll (elements [1 / 0, 1]) $ \bound ->
       boxless = [i | (i, b) <- zip [0 ..] boxes, isNothing b]
    in length (nub all') === length all' .&&. n === length all' .&&. take 1 (reverse (map sort found)) === (if null boxless then take 1 (reverse (map sort found)) else [boxless])
 
--- | If each item is met where the ray comes into its box, and items without a box at 3, then what is found is the nearest of all, and of several at one parameter the first.
+-- | If each item is met where the ray comes into its box, and items without a box at 3, then what is found is the
+-- nearest of all, and of several at one parameter the first.
 findsTheNearest :: Crowd -> Property
 findsTheNearest c@(Crowd boxes r) = conjoin [counterexample (show bound) (met (found bound) === listToMaybe (sort [(t, i) | (i, Just t) <- zip [0 ..] ts, t < bound])) | bound <- [1 / 0, 3, 1]]
   where
@@ -220,8 +223,9 @@ inALine n = hierarchy n (\i -> Just (ofPoints (V3 (fromIntegral i) 0 0) [V3 (fro
 everFiner :: Double -> Int -> Hierarchy
 everFiner factor n = hierarchy n (\i -> let x = factor ^^ negate i in Just (ofPoints (pure x) [pure (x * factor)]))
 
--- | Sixty boxes along each axis, each 32 times as far from the origin as the one before (so that of the bins between them one takes all others in), around a crowd in the unit cube that has
--- the higher numbers: no choice takes more than a few items away.
+-- | Sixty boxes along each axis, each 32 times as far from the origin as the one before (so that of the bins between
+-- them one takes all others in), around a crowd in the unit cube that has the higher numbers: no choice takes more than
+-- a few items away.
 aroundACrowd :: Int -> Hierarchy
 aroundACrowd n = hierarchy (180 + n) (Just . item)
   where
@@ -266,7 +270,8 @@ offersHaveNoOrder = forAll offers $ \list -> forAll (shuffle list) $ \other -> f
 taken :: Double -> [(Int, Double)] -> Closest
 taken bound = foldl' (\c (n, t) -> offer n t c) (below bound)
 
--- | What is taken is the least parameter below the bound, and of several offers of it the lowest number. 'within' is a bound that lets it in again: two to four doubles above.
+-- | What is taken is the least parameter below the bound, and of several offers of it the lowest number. 'within' is a
+-- bound that lets it in again: two to four doubles above.
 theNearestOfferIsTaken :: Property
 theNearestOfferIsTaken = forAll offers $ \list -> forAll (elements [1 / 0, 2, 1]) $ \bound ->
   let c = taken bound list

@@ -2,8 +2,8 @@
 -- Module      : Laws.Light
 -- Description : What is true of colours, of the terms of illumination, and of waves
 --
--- The second opinions are closed forms: of a surface, a light and a viewer in one plane everything is known from two angles; waves are summed up instant by
--- instant, and those of a row of sources by the formula of the grating.
+-- The second opinions are closed forms: of a surface, a light and a viewer in one plane everything is known from two
+-- angles; waves are summed up instant by instant, and those of a row of sources by the formula of the grating.
 module Laws.Light
   ( -- * Colours
     AnyColour (..),
@@ -107,7 +107,8 @@ scalingDistributes (AnyColour a) (AnyColour b) = forAll (choose (0, 10)) $ \k ->
 -------------------------------------------------------------------------------
 -- Illumination
 
--- | A light and a surface colour; a normal, the way the light travels, and the way the look goes, all unit; a shininess.
+-- | A light and a surface colour; a normal, the way the light travels, and the way the look goes, all unit; a
+-- shininess.
 data Lit = Lit Colour Colour Unit Unit Unit Double
   deriving (Eq, Show)
 
@@ -153,8 +154,9 @@ termAt term light (Lit _ surface n d v k) = case term of
   BlinnTerm -> blinn light surface n (vector d) (vector v) k
   PhongTerm -> phong light surface n (vector d) (vector v) k
 
--- | Twice the light gives twice the colour, and two lights give the sum of what each one gives: exactly so for twice, and for the sum with three
--- roundings on either side. (The power of 200 may be so small that digits are lost, of numbers below 1e-300.)
+-- | Twice the light gives twice the colour, and two lights give the sum of what each one gives: exactly so for twice,
+-- and for the sum with three roundings on either side. (The power of 200 may be so small that digits are lost, of
+-- numbers below 1e-300.)
 termIsLinear :: Term -> Lit -> AnyColour -> Property
 termIsLinear term lit@(Lit light _ _ _ _ _) (AnyColour other) =
   alike 0 (scaled 2 light) [light, light] .&&. alike (8 * u) (plus light other) [light, other]
@@ -162,7 +164,8 @@ termIsLinear term lit@(Lit light _ _ _ _ _) (AnyColour other) =
     alike bound together parts =
       conjoin (zipWith (\x y -> within (bound * y + 1e-300) x y) (channels (termAt term together lit)) (foldr (zipWith (+) . channels . (\l -> termAt term l lit)) [0, 0, 0] parts))
 
--- | No term is below zero in any channel, or not a number; where nothing arrives it is black, with black's alpha, and otherwise as opaque as the light.
+-- | No term is below zero in any channel, or not a number; where nothing arrives it is black, with black's alpha, and
+-- otherwise as opaque as the light.
 termIsNeverNegative :: Term -> Lit -> Property
 termIsNeverNegative term lit@(Lit light _ _ _ _ _) =
   counterexample (show c) (all (>= 0) (channels c) && (c == black || alpha c == alpha light))
@@ -184,10 +187,12 @@ angleFromNormal = oneof [elements [0, pi / 3, negate pi / 3, pi / 4, pi / 2 - 1e
 arriving :: Double -> Vector
 arriving a = V3 (negate (sin a)) 0 (negate (cos a))
 
--- | With the light at an angle a to the normal and the viewer at b in the same plane, the half way is at (a + b) \/ 2, and Blinn's factor the power of its cosine.
+-- | With the light at an angle a to the normal and the viewer at b in the same plane, the half way is at (a + b) \/ 2,
+-- and Blinn's factor the power of its cosine.
 --
--- Sines and cosines have an ulp each, their sum is at least 0.34 long (a and b are at most 80 degrees), and its quotient with the length has
--- 2 (6 \/ 0.34 + 4) roundings; the angle has three. A power of k makes that k times as much.
+-- Sines and cosines have an ulp each, their sum is at least 0.34 long (a and b are at most 80 degrees), and its
+-- quotient with the length has 2 (6 \/ 0.34 + 4) roundings; the angle has three. A power of k makes that k times as
+-- much.
 blinnIsTheHalfAngle :: AnyColour -> AnyColour -> Property
 blinnIsTheHalfAngle (AnyColour light) (AnyColour surface) = forAll ((,,) <$> slant <*> slant <*> whole) $ \(a, b, k) ->
   conjoin (zipWith3 (\x l s -> within (l * s * (k + 1) * 64 * u) x (l * s * cos ((a + b) / 2) ** k)) (channels (blinn light surface alongZ (arriving a) (arriving b) k)) (channels light) (channels surface))
@@ -197,7 +202,8 @@ slant, whole :: Gen Double
 slant = oneof [elements [0, 0.5, -0.5, 1.3, -1.3], choose (-1.39, 1.39)]
 whole = oneof [elements [0, 1, 20, 200], choose (1, 200)]
 
--- | The light at a on one side is mirrored to a on the other side; the viewer at b sees the power of cos (a + b), and nothing where that is negative.
+-- | The light at a on one side is mirrored to a on the other side; the viewer at b sees the power of cos (a + b), and
+-- nothing where that is negative.
 phongIsTheMirroredAngle :: AnyColour -> AnyColour -> Property
 phongIsTheMirroredAngle (AnyColour light) (AnyColour surface) = forAll (((,,) <$> slant <*> slant <*> whole) `suchThat` \(a, b, _) -> abs (cos (a + b)) > 1e-9) $ \(a, b, k) ->
   let factor = if cos (a + b) < 0 then 0 else cos (a + b) ** k
@@ -205,8 +211,8 @@ phongIsTheMirroredAngle (AnyColour light) (AnyColour surface) = forAll (((,,) <$
 
 -- | A viewer in the mirror direction sees the full light, whatever the shininess; with either highlight.
 --
--- R is unit to 32 + 22 roundings (see "Laws.Optics"), and so is the half way's product with N; the power of k makes that k times as much. Blinn's half way is
--- as long as twice the cosine, by which its roundings are divided.
+-- R is unit to 32 + 22 roundings (see "Laws.Optics"), and so is the half way's product with N; the power of k makes
+-- that k times as much. Blinn's half way is as long as twice the cosine, by which its roundings are divided.
 mirroredLightIsFull :: Lit -> Property
 mirroredLightIsFull (Lit light surface n d _ k) = abs c > 1e-3 ==> full (64 * u) PhongTerm .&&. full (64 * u / abs c) BlinnTerm
   where
@@ -225,8 +231,9 @@ mirroredLightIsFull (Lit light surface n d _ k) = abs c > 1e-3 ==> full (64 * u)
 blinnIsSymmetric :: Lit -> Property
 blinnIsSymmetric (Lit light surface n d v k) = blinn light surface n (vector d) (vector v) k === blinn light surface n (vector v) (vector d) k
 
--- | Exchanging light and viewer changes nothing in Phong's highlight but roundings: \<R, E> is -\<d, v> + 2 \<d, N> \<N, v> either way, each of the two products
--- with up to 12 roundings. (Near 0 the sign is one of them, and with exponents below 1 the slope is infinite there.)
+-- | Exchanging light and viewer changes nothing in Phong's highlight but roundings: \<R, E> is -\<d, v> + 2 \<d, N>
+-- \<N, v> either way, each of the two products with up to 12 roundings. (Near 0 the sign is one of them, and with
+-- exponents below 1 the slope is infinite there.)
 phongIsSymmetric :: Lit -> Property
 phongIsSymmetric (Lit light surface n d v k) = abs facing > 1e-3 ==> conjoin (zipWith3 (\x y m -> within (m * (k + 1) * 32 * u / abs facing) x y) (at d v) (at v d) (zipWith (*) (channels light) (channels surface)))
   where
@@ -251,8 +258,8 @@ instance Arbitrary Visible where
 
 -- | The same colour from tables, one row a lobe and one row a channel.
 --
--- Rounding: each lobe's exponent is below 700 and known to 6 roundings; where it is above 37 the lobe is below u. So the sums are known to 40 \* 6 roundings,
--- of at most 5; the transfer's slope is at most 12.92.
+-- Rounding: each lobe's exponent is below 700 and known to 6 roundings; where it is above 37 the lobe is below u. So
+-- the sums are known to 40 \* 6 roundings, of at most 5; the transfer's slope is at most 12.92.
 matchesTheTables :: Visible -> Property
 matchesTheTables (Visible l) = conjoin (zipWith (within (40 * 6 * 5 * 12.92 * u)) (channels (colourOfWavelength l)) (map screen primaries))
   where
@@ -291,7 +298,8 @@ instance Arbitrary Sources where
 packedPoints :: [Point] -> Unboxed.Vector (Double, Double, Double)
 packedPoints points = Unboxed.fromList [(x, y, z) | V3 x y z <- points]
 
--- | The sum of the rule: at each of the instants of a period the waves are added and squared; then their mean, divided by the square of the number of sources.
+-- | The sum of the rule: at each of the instants of a period the waves are added and squared; then their mean, divided
+-- by the square of the number of sources.
 averageOverInstants :: Int -> Double -> [Point] -> Point -> Double
 averageOverInstants steps l points p = sum [square (sum [wave r (fromIntegral i / fromIntegral steps) | r <- map (distance p) points]) | i <- [0 .. steps - 1]] / fromIntegral steps / square (fromIntegral (length points))
   where
@@ -301,7 +309,8 @@ averageOverInstants steps l points p = sum [square (sum [wave r (fromIntegral i 
 
 -- | The intensity is that sum, for any number of steps, also for one and two.
 --
--- Each phase has some 8 roundings on either side; the mean's slope in a phase is at most 2 \/ n, and the sum over the sources has n more roundings.
+-- Each phase has some 8 roundings on either side; the mean's slope in a phase is at most 2 \/ n, and the sum over the
+-- sources has n more roundings.
 intensityIsTheAverage :: Sources -> Property
 intensityIsTheAverage (Sources l points p) = forAll (oneof [chooseInt (1, 4), chooseInt (1, 40)]) $ \steps ->
   within (phaseSlack l points p) (intensity (Wave l steps 0) (packedPoints points) p) (averageOverInstants steps l points p)
@@ -325,8 +334,8 @@ intensityIsBounded (Sources l points p) = conjoin [counterexample (show (steps, 
 oneSourceIsAHalf :: Sources -> Property
 oneSourceIsAHalf (Sources l points p) = conjoin [within (6 * u) (intensity (Wave l 3 0) (packedPoints [q]) p) 0.5 | q <- points]
 
--- | On the line of a row of n sources, d apart, phases advance by delta = k d from one to the next, and the intensity is that of the grating:
--- 1\/2 (sin (n delta \/ 2) \/ (n sin (delta \/ 2)))^2.
+-- | On the line of a row of n sources, d apart, phases advance by delta = k d from one to the next, and the intensity
+-- is that of the grating: 1\/2 (sin (n delta \/ 2) \/ (n sin (delta \/ 2)))^2.
 gratingHasItsFormula :: Visible -> Property
 gratingHasItsFormula (Visible l) = forAll ((,) <$> chooseInt (2, 9) <*> choose (0.05, 0.95)) $ \(n, part) ->
   let d = part * l * 1e-9
@@ -336,8 +345,9 @@ gratingHasItsFormula (Visible l) = forAll ((,) <$> chooseInt (2, 9) <*> choose (
       expected = 0.5 * (sin (fromIntegral n * half) / (fromIntegral n * sin half)) ^ (2 :: Int)
    in within (phaseSlack l sources p + 64 * u) (intensity (Wave l 10 n) (packedPoints sources) p) expected
 
--- | Two slits, 3 L apart, and a screen 4 L behind one of them: the ways there are 4 L and 5 L. Where their difference L is a whole number of wavelengths it
--- is bright, 1\/2, and where it is a half more it is dark, 0. Near either the intensity is flat: the error is the square of the phases'.
+-- | Two slits, 3 L apart, and a screen 4 L behind one of them: the ways there are 4 L and 5 L. Where their difference L
+-- is a whole number of wavelengths it is bright, 1\/2, and where it is a half more it is dark, 0. Near either the
+-- intensity is flat: the error is the square of the phases'.
 slitsHaveFringes :: Visible -> Property
 slitsHaveFringes (Visible l) = forAll (chooseInt (1, 40)) $ \m ->
   let at ways =
@@ -348,7 +358,8 @@ slitsHaveFringes (Visible l) = forAll (chooseInt (1, 40)) $ \m ->
       whole' = fromIntegral m
    in within (square (slack whole') + 8 * u) (at whole') 0.5 .&&. within (square (slack (whole' + 0.5))) (at (whole' + 0.5)) 0
 
--- | A row of sources starts and ends at the two points exactly, and goes from one to the other in equal steps, each known to a few roundings.
+-- | A row of sources starts and ends at the two points exactly, and goes from one to the other in equal steps, each
+-- known to a few roundings.
 rowIsEven :: Property
 rowIsEven = forAll ((,,) <$> chooseInt (2, 30) <*> point Full <*> point Full) $ \(n, a, b) ->
   let row = linearOscillators n (a, b)
@@ -356,12 +367,13 @@ rowIsEven = forAll ((,,) <$> chooseInt (2, 30) <*> point Full <*> point Full) $ 
       steps = [modulus (q - p - (1 / fromIntegral (n - 1)) *^ (b - a)) | (p, q) <- zip row (drop 1 row)]
    in length row === n .&&. take 1 row === [a] .&&. counterexample (show (last row, steps)) (modulus (last row - b) <= 8 * u * size && all (<= 32 * u * size) steps)
 
--- | A grid has its shorter side's number of sources along the shorter side, steps along the longer side that are not longer, and one step fewer would be too few;
--- a source in each corner; and all of them in the plane of the opening.
+-- | A grid has its shorter side's number of sources along the shorter side, steps along the longer side that are not
+-- longer, and one step fewer would be too few; a source in each corner; and all of them in the plane of the opening.
 --
--- A cross product of unit vectors leaves the plane across either of them by 3 roundings, whatever the angle between them: so far does @right@ lean against
--- the normal, and @up@, which is made unit, 4 more. Of places no farther than the corners that makes 8 roundings of their distance; the four products of a
--- place make 5, its three sums 3, and the product with the normal 4.
+-- A cross product of unit vectors leaves the plane across either of them by 3 roundings, whatever the angle between
+-- them: so far does @right@ lean against the normal, and @up@, which is made unit, 4 more. Of places no farther than
+-- the corners that makes 8 roundings of their distance; the four products of a place make 5, its three sums 3, and the
+-- product with the normal 4.
 gridIsEven :: Property
 gridIsEven = forAll ((,,,) <$> chooseInt (2, 7) <*> side <*> side <*> ((,) <$> step Full <*> step Full)) $ \(n, w, h, (front, up)) ->
   let aperture = Aperture w h front up

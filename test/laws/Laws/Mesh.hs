@@ -2,7 +2,8 @@
 -- Module      : Laws.Mesh
 -- Description : What is true of meshes
 --
--- A mesh is its triangles, each of which is met by the rule of "Dioptre.Geometry.Triangle"; and out of a closed mesh there is no way.
+-- A mesh is its triangles, each of which is met by the rule of "Dioptre.Geometry.Triangle"; and out of a closed mesh
+-- there is no way.
 module Laws.Mesh
   ( -- * Meshes
     Meshed (..),
@@ -72,8 +73,8 @@ meshOf points corners =
   where
     listed (V3 x y z) = [x, y, z]
 
--- | A mesh of any triangles over a few vertices, so that many of them share edges, with normals and texture coordinates or without; its finishes have numbers below the given
--- one.
+-- | A mesh of any triangles over a few vertices, so that many of them share edges, with normals and texture coordinates
+-- or without; its finishes have numbers below the given one.
 aMesh :: Kind -> Int -> Gen Mesh
 aMesh kind finishes = do
   points <- chooseInt (3, 12) >>= (`vectorOf` point kind)
@@ -105,7 +106,8 @@ aMesh kind finishes = do
 isProper :: [Point] -> (Int, Int, Int) -> Bool
 isProper points (a, b, c) = isJust (triangle (Corners (points !! a) (points !! b) (points !! c)))
 
--- | A ray aimed at a vertex, a point of an edge or a point of a triangle; some along axes, some along edges, some from a point of the mesh.
+-- | A ray aimed at a vertex, a point of an edge or a point of a triangle; some along axes, some along edges, some from
+-- a point of the mesh.
 rayAtMesh :: Kind -> Mesh -> Gen Ray
 rayAtMesh kind mesh = do
   Corners a b c <- meshTriangle mesh <$> chooseInt (0, meshSize mesh - 1)
@@ -140,8 +142,8 @@ hitsOf m r = [(i, t) | i <- [0 .. meshSize m - 1], Just shape <- [triangle (mesh
 -------------------------------------------------------------------------------
 -- Laws
 
--- | What is closest is what is closest of all triangles as shapes of their own, to the bit, after whatever was met before; of several at one parameter the one with the lowest
--- number.
+-- | What is closest is what is closest of all triangles as shapes of their own, to the bit, after whatever was met
+-- before; of several at one parameter the one with the lowest number.
 closestIsAsPlain :: Meshed -> Property
 closestIsAsPlain (Meshed m r) = forAll ((,) <$> elements [0, 7] <*> earlier) $ \(from, before) ->
   let found = closestTriangle (prepareMesh m) from r before
@@ -151,7 +153,8 @@ closestIsAsPlain (Meshed m r) = forAll ((,) <$> elements [0, 7] <*> earlier) $ \
           .&&. counterexample "tests" (closestTests found <= closestTests before + meshSize m)
   where
     hits = hitsOf m r
-    -- A bound; or something at a parameter where a triangle is met too, with a number below, among and above the triangles'
+    -- A bound; or something at a parameter where a triangle is met too, with a number below, among and above the
+    -- triangles'
     earlier = oneof ((below <$> elements ([1 / 0, 4, 1] ++ map snd hits)) : [(\t n -> Closest t n 5) <$> elements (map snd hits) <*> elements [0, 8, 1000] | not (null hits)])
 
 -- | A mesh whose triangles are all there many times over answers as the mesh itself, and tries no more of them.
@@ -172,8 +175,8 @@ anyIsWhetherThereIsAClosest (Meshed m r) = conjoin [counterexample (show b) (fst
   where
     p = prepareMesh m
 
--- | Each triangle is the shape with its corners; smooth if any of them has a normal or a texture coordinate. A corner without a normal, or with a zero one, has the flat triangle's; one without texture
--- coordinates has (0, 0).
+-- | Each triangle is the shape with its corners; smooth if any of them has a normal or a texture coordinate. A corner
+-- without a normal, or with a zero one, has the flat triangle's; one without texture coordinates has (0, 0).
 trianglesAreShapes :: Meshed -> Property
 trianglesAreShapes (Meshed m _) = conjoin [counterexample (show i) (triangleShape m i === expected i) | i <- [0 .. meshSize m - 1]]
   where
@@ -229,7 +232,8 @@ instance Arbitrary Enclosed where
         k <- oneof [pure 1, powerOfTwo (-3) 3]
         pure (k *^ d)
 
--- | A mesh that every ray from its centre meets once: a cube or an icosahedron, divided and bent or not; its vertices, triangles, and points inside.
+-- | A mesh that every ray from its centre meets once: a cube or an icosahedron, divided and bent or not; its vertices,
+-- triangles, and points inside.
 star :: Gen ([Point], [(Int, Int, Int)], Gen Point)
 star = do
   times <- chooseInt (0, 2)

@@ -4,8 +4,9 @@
 -- Module      : Laws.Number
 -- Description : What is true of numbers that are read and written
 --
--- The second opinion is a reading of decimals as rational numbers, which are exact, and the definition of "nearest": a double is
--- nearest to a number that lies between the middles to its two neighbours, or in such a middle if its own last bit is 0.
+-- The second opinion is a reading of decimals as rational numbers, which are exact, and the definition of "nearest": a
+-- double is nearest to a number that lies between the middles to its two neighbours, or in such a middle if its own
+-- last bit is 0.
 module Laws.Number
   ( -- * A second opinion
     exactly,
@@ -45,8 +46,8 @@ import Test.QuickCheck
 -------------------------------------------------------------------------------
 -- A second opinion
 
--- | The number that a text is, by the rule: an optional sign; digits, with or without a point that has a digit on one side at least; and an optional
--- exponent of ten.
+-- | The number that a text is, by the rule: an optional sign; digits, with or without a point that has a digit on one
+-- side at least; and an optional exponent of ten.
 exactly :: Text -> Maybe Rational
 exactly text = do
   let (plusOrMinus, unsigned) = signOf text
@@ -94,7 +95,8 @@ decimalOf r = (numerator r * 5 ^ k, negate k)
 -------------------------------------------------------------------------------
 -- Laws
 
--- | A text that is a number is read as the nearest double; a number above 1e100 is refused as too large, and anything else as no number.
+-- | A text that is a number is read as the nearest double; a number above 1e100 is refused as too large, and anything
+-- else as no number.
 --
 -- Between 10^100 and the middle to the double above 1e100 lies what is rounded to 1e100: either answer is right.
 realIsNearest :: Text -> Property
@@ -110,7 +112,8 @@ realIsNearest t = counterexample (show (Text.take 100 t)) $ case exactly t of
       Right x -> counterexample (show x) (isNearest r x)
       Left refusal -> counterexample (take 100 (show refusal)) False
 
--- | A text of digits with an optional sign is that integer, if it has 32 bits; one with more is too large, and anything else is no integer.
+-- | A text of digits with an optional sign is that integer, if it has 32 bits; one with more is too large, and anything
+-- else is no integer.
 integerIsExact :: Text -> Property
 integerIsExact t = case natural (snd (signOf t)) of
   Nothing -> integer t === Left (NotAnInteger t)
@@ -173,7 +176,8 @@ instance Arbitrary Admitted where
   arbitrary = Admitted <$> admitted
   shrink (Admitted x) = [Admitted y | y <- takeWhile (/= x) [0, 1, fromInteger (truncate x)], abs y <= 1e100]
 
--- | Of any size: ordinary, small integers, short decimals, subnormal, beside a middle of few digits, and the ends of the range; of either sign.
+-- | Of any size: ordinary, small integers, short decimals, subnormal, beside a middle of few digits, and the ends of
+-- the range; of either sign.
 admitted :: Gen Double
 admitted = (*) <$> elements [1, -1] <*> oneof [ordinary, integral, short, anySize, middling, special]
   where

@@ -4,7 +4,8 @@
 -- Module      : Laws.Obj
 -- Description : What is true of reading OBJ files
 --
--- Files are made from sketches, lists of what their lines say, from which the mesh follows without reading anything: by list indexing and a count of corners.
+-- Files are made from sketches, lists of what their lines say, from which the mesh follows without reading anything: by
+-- list indexing and a count of corners.
 module Laws.Obj
   ( -- * Files
     Sketch (..),
@@ -38,7 +39,8 @@ import Dioptre.Source.Diagnostic
 import Dioptre.Source.Span (Span (..))
 import Test.QuickCheck
 
--- | A line: three numbers, two, three; the corners of a face, each with its vertex, and all with texture coordinates or not, with normals or not; a material; or something to pass over.
+-- | A line: three numbers, two, three; the corners of a face, each with its vertex, and all with texture coordinates or
+-- not, with normals or not; a material; or something to pass over.
 data Said
   = V Int Int Int
   | T Int Int

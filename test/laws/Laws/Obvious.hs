@@ -2,18 +2,23 @@
 -- Module      : Laws.Obvious
 -- Description : A slow and obvious ray tracer's geometry
 --
--- The second implementation of every shape: what the scene says, written as polynomial equations and inequalities, into which the line o + t d is put coordinate by coordinate. Everything is a
--- rational number; there is no index, no unit vector, no move, no shortcut, and nothing of the program's but the types of its shapes.
+-- The second implementation of every shape: what the scene says, written as polynomial equations and inequalities, into
+-- which the line o + t d is put coordinate by coordinate. Everything is a rational number; there is no index, no unit
+-- vector, no move, no shortcut, and nothing of the program's but the types of its shapes.
 --
 -- >   a skin          equation = 0, where inequalities hold       a disk, a tube, a torus
 -- >   a solid         where inequalities hold                     a cube, a cone, a lens
 --
--- A skin is met at the roots of its equation. A solid is met where the line enters it or leaves it: between neighbouring roots of all its inequalities nothing changes, so one point of each gap tells. Equations are
--- multiplied by whatever makes them polynomials: with the axis g from P1 to P2, of any length, and w = v - P1, the tube |w_perp| = R is |w|^2 |g|^2 - \<w, g>^2 = R^2 |g|^2. The only numbers that
--- are not exact are the square roots in caps and lenses, where those are not rational (2^-250 of themselves), sines and cosines (2^-190), and the roots of tori (2^-110).
+-- A skin is met at the roots of its equation. A solid is met where the line enters it or leaves it: between
+-- neighbouring roots of all its inequalities nothing changes, so one point of each gap tells. Equations are multiplied
+-- by whatever makes them polynomials: with the axis g from P1 to P2, of any length, and w = v - P1, the tube |w_perp| =
+-- R is |w|^2 |g|^2 - \<w, g>^2 = R^2 |g|^2. The only numbers that are not exact are the square roots in caps and
+-- lenses, where those are not rational (2^-250 of themselves), sines and cosines (2^-190), and the roots of tori
+-- (2^-110).
 --
--- With each inequality comes its /doubt/: the size of the numbers that a program that computes in binary64 has to round on the way, as the specification's rules lead it.
--- Where p is below some roundings of its doubt, such a program may take its sign for the other one; 'meetings' says where it must meet the shape all the same.
+-- With each inequality comes its /doubt/: the size of the numbers that a program that computes in binary64 has to round
+-- on the way, as the specification's rules lead it. Where p is below some roundings of its doubt, such a program may
+-- take its sign for the other one; 'meetings' says where it must meet the shape all the same.
 module Laws.Obvious
   ( -- * Shapes
     Obvious,
@@ -135,7 +140,8 @@ everywhere = From (Leaf (constant 1) (const 0))
 
 -- | A part of a plane: \<n, v - P> = 0. The doubt of a normal counts by a size that may exceed its own (a triangle's).
 --
--- A line whose angle with the plane has a sine of at most 2^-50 is parallel (@geometry.plane.parallel@), and does not meet it.
+-- A line whose angle with the plane has a sine of at most 2^-50 is parallel (@geometry.plane.parallel@), and does not
+-- meet it.
 flat :: (Exact, Double) -> Exact -> (Line -> Region) -> Obvious
 flat (n, size) p region l = Skin (Leaf (along n (from l p)) (\t -> size * reach l p t)) (Both steep (region l))
   where
@@ -172,8 +178,9 @@ box c h l = Solid (foldr1 Both (concat (zipWith3 faces (components c) (component
       where
         doubt t = fromRational (abs (o - m) + h + abs m + originBlur l) + abs t * fromRational (abs d + directionBlur l)
 
--- | A part of a plane on one side of three edges. An edge function is the triple product of the direction and two corners, seen from the origin; its shadows round numbers as large as the corners' distances
--- (S. Woop, C. Benthin, I. Wald, 2013). Of the point in the plane, the product (Pj - Pi) x (v - Pi) is that times \<n, n> \/ \<d, n>.
+-- | A part of a plane on one side of three edges. An edge function is the triple product of the direction and two
+-- corners, seen from the origin; its shadows round numbers as large as the corners' distances (S. Woop, C. Benthin, I.
+-- Wald, 2013). Of the point in the plane, the product (Pj - Pi) x (v - Pi) is that times \<n, n> \/ \<d, n>.
 threeCorners :: Triangle -> Obvious
 threeCorners x l = flat (n, sizeOf (outerMagnitudes e1 e2)) p0 (const (foldr1 Both (zipWith side corners (drop 1 (cycle corners))))) l
   where
@@ -213,7 +220,8 @@ afterStart, beforeEnd :: Spindle -> Line -> Region
 afterStart (Spindle p1 g _ _ size _ _) l = From (Leaf (along g (from l p1)) (\t -> size * (reach l p1 t + place l t + size)))
 beforeEnd (Spindle p1 g gg _ size _ _) l = From (Leaf (constant gg `minus` along g (from l p1)) (\t -> size * (reach l p1 t + place l t + size)))
 
--- | Measured from the apex P2: R^2 a^2 >= |g|^2 (|w|^2 |g|^2 - a^2) with a = \<w, g>, and -|g|^2 <= a <= 0. Rounded are the square of the point's distance from the apex, and, to reach the apex, its position.
+-- | Measured from the apex P2: R^2 a^2 >= |g|^2 (|w|^2 |g|^2 - a^2) with a = \<w, g>, and -|g|^2 <= a <= 0. Rounded are
+-- the square of the point's distance from the apex, and, to reach the apex, its position.
 cone :: Spindle -> Obvious
 cone (Spindle p1 g gg radius size ggSize r) l = Solid (Both (From curved) (Both base end))
   where
@@ -227,7 +235,8 @@ cone (Spindle p1 g gg radius size ggSize r) l = Solid (Both (From curved) (Both 
     base = From (Leaf (constant gg `plus` a) flatDoubt)
     end = From (Leaf (scaledBy (-1) a) flatDoubt)
 
--- | The side of the bar, and before each face: under its sphere, or for a hollow one above it. Measured from the ray's point nearest to the middle.
+-- | The side of the bar, and before each face: under its sphere, or for a hollow one above it. Measured from the ray's
+-- point nearest to the middle.
 lensBetween :: Spindle -> (Double, Double) -> Obvious
 lensBetween s@(Spindle p1 g gg radius size ggSize r) (c1, c2) = \l -> Solid (Both (From (side l)) (Both (start l) (end l)))
   where
@@ -248,7 +257,8 @@ lensBetween s@(Spindle p1 g gg radius size ggSize r) (c1, c2) = \l -> Solid (Bot
         depth = squareRoot ((c * c - radius * radius) / gg)
         depthTimesSquare = depth * gg
 
--- | How large the numbers are that make the equation of a sphere with the radius c over a disk of radius R: the point's distance from the disk's centre, and the ray's way to it, next to a body of some size.
+-- | How large the numbers are that make the equation of a sphere with the radius c over a disk of radius R: the point's
+-- distance from the disk's centre, and the ray's way to it, next to a body of some size.
 sphereDoubt :: Line -> Exact -> Rational -> Rational -> Double -> Double -> Double
 sphereDoubt l p radius c size = \t ->
   let x = near l p t + r
@@ -321,7 +331,8 @@ boundary region = concat (zipWith3 met places (gaps values) (drop 1 (gaps values
        in (t, p : map snd equal) : grouped others
     grouped [] = []
 
--- | What a ray meets first of a list of shapes: the least parameter above 1e-8, and the number of the shape; of several there, the first.
+-- | What a ray meets first of a list of shapes: the least parameter above 1e-8, and the number of the shape; of several
+-- there, the first.
 firstOf :: [Figure] -> Maybe (Rational, Int)
 firstOf figures = case [(t, i) | (i, f) <- zip [0 ..] figures, t <- take 1 (filter (> toRational (1e-8 :: Double)) (exactParameters f))] of
   [] -> Nothing
@@ -336,14 +347,17 @@ data Meeting = Meeting {meetingFrom :: Rational, meetingTo :: Rational, isCertai
 
 -- | How many roundings of its doubt a polynomial may be off: times eps, 64.
 --
--- A position o + t d, its difference from a point of the shape, and what of that is along or across an axis take fewer than 16 roundings, of numbers no larger than those that the doubt adds up; a polynomial of degree two
--- of such numbers takes three times as many, its coefficients and its roots (5 eps of its terms, "Laws.Roots") included. Carrying a ray back takes 8 more.
+-- A position o + t d, its difference from a point of the shape, and what of that is along or across an axis take fewer
+-- than 16 roundings, of numbers no larger than those that the doubt adds up; a polynomial of degree two of such numbers
+-- takes three times as many, its coefficients and its roots (5 eps of its terms, "Laws.Roots") included. Carrying a ray
+-- back takes 8 more.
 allowance :: Rational
 allowance = 64 * eps
 
 -- | Where a program may meet the shape, and where it must, ascending; it may meet it nowhere else.
 --
--- In a /zone/ a polynomial is within the allowance of zero; outside of all zones every sign is certain. A solid must be met in a zone if the gaps beside are on different sides of its boundary; a skin, if its equation has different signs
+-- In a /zone/ a polynomial is within the allowance of zero; outside of all zones every sign is certain. A solid must be
+-- met in a zone if the gaps beside are on different sides of its boundary; a skin, if its equation has different signs
 -- there, and if its region holds in all of the zone.
 meetings :: Figure -> [Meeting]
 meetings figure = case figure of
@@ -373,8 +387,10 @@ endless = 2 ^ (1100 :: Int)
 
 -- | The intervals in which a polynomial is within the allowance of zero, ascending, together.
 --
--- They are sought from the roots, and from the vertex of a parabola that has none, with the doubt that there is, a quarter larger. Where the doubt at the ends of what is found is larger than that (as it is for a line that nearly lies in
--- the surface), they are sought again with that one; and where this comes to no end, nothing is known anywhere. The zones of polynomials of higher degree have the largest doubt of all their roots and turns.
+-- They are sought from the roots, and from the vertex of a parabola that has none, with the doubt that there is, a
+-- quarter larger. Where the doubt at the ends of what is found is larger than that (as it is for a line that nearly
+-- lies in the surface), they are sought again with that one; and where this comes to no end, nothing is known anywhere.
+-- The zones of polynomials of higher degree have the largest doubt of all their roots and turns.
 zones :: Leaf -> [(Rational, Rational)]
 zones (Leaf p doubt) = case taylorAt p 0 of
   [] -> [(negate endless, endless)]

@@ -2,9 +2,10 @@
 -- Module      : Laws.Optics
 -- Description : What is true of mirrors and of surfaces between two media
 --
--- Directions, normals and indices are doubles, and so rational numbers: what the laws of optics ask of the computed directions is evaluated without
--- rounding ("Laws.Exact"), and every bound counts the roundings of the rule. In the comments, \<v, v> = 1 + a and \<N, N> = 1 + b with |a|, |b| <= 8 eps,
--- which is what 'Dioptre.Math.Vector.valid' says of unit vectors; M is the sum of the |v_i N_i|, so that the computed \<v, N> is off by at most gamma 3 M.
+-- Directions, normals and indices are doubles, and so rational numbers: what the laws of optics ask of the computed
+-- directions is evaluated without rounding ("Laws.Exact"), and every bound counts the roundings of the rule. In the
+-- comments, \<v, v> = 1 + a and \<N, N> = 1 + b with |a|, |b| <= 8 eps, which is what 'Dioptre.Math.Vector.valid' says
+-- of unit vectors; M is the sum of the |v_i N_i|, so that the computed \<v, N> is off by at most gamma 3 M.
 module Laws.Optics
   ( -- * What they are tried with
     Incidence (..),
@@ -43,7 +44,8 @@ import Laws.Draw
 import Laws.Exact
 import Test.QuickCheck hiding (vector)
 
--- | Light in a unit direction, a unit normal turned against it (or orthogonal to it), and the refractive indices on this side and beyond: from 0.1 to 10.
+-- | Light in a unit direction, a unit normal turned against it (or orthogonal to it), and the refractive indices on
+-- this side and beyond: from 0.1 to 10.
 data Incidence = Incidence Unit Unit Double Double
   deriving (Eq, Show)
 
@@ -125,8 +127,8 @@ short bound v = counterexample (show (sqrt (fromRational (squared v)) :: Double,
 -------------------------------------------------------------------------------
 -- Mirrors
 
--- | How far each component of the computed v - 2 \<v, N> N is from the exact one: 6 roundings' worth of M |N_i| from the product, 2 for twice it times N_i, and
--- those of the difference.
+-- | How far each component of the computed v - 2 \<v, N> N is from the exact one: 6 roundings' worth of M |N_i| from
+-- the product, 2 for twice it times N_i, and those of the difference.
 mirrorSlack :: Vector -> Unit -> Exact
 mirrorSlack v n = (\vi ni -> gamma 11 * (m * ni + vi)) <$> magnitudes (exact v) <*> magnitudes (exact (vector n))
   where
@@ -150,7 +152,8 @@ mirrorKeepsThePartAcross (Incidence u n' _ _) = conjoin (near <$> components bou
     r = exact (reflected v n')
     bounds = pure (maximum (components (outerMagnitudes (mirrorSlack v n') n)))
 
--- | The reflected direction is as long as the one before: \<R, R> - \<v, v> is 4 b \<v, N>^2 and what the slack makes of it.
+-- | The reflected direction is as long as the one before: \<R, R> - \<v, v> is 4 b \<v, N>^2 and what the slack makes
+-- of it.
 mirrorKeepsLength :: Incidence -> Property
 mirrorKeepsLength (Incidence u n' _ _) = near (32 * eps * m * m + 2 * inner (magnitudes r) slack + squared slack) (squared r) (squared (exact v))
   where
@@ -159,11 +162,13 @@ mirrorKeepsLength (Incidence u n' _ _) = near (32 * eps * m * m + 2 * inner (mag
     slack = mirrorSlack v n'
     m = inner (magnitudes (exact v)) (magnitudes (exact (vector n')))
 
--- | The angle out is the angle in. Products and normals are off by at most 24 eps on either side, and the angle by as much.
+-- | The angle out is the angle in. Products and normals are off by at most 24 eps on either side, and the angle by as
+-- much.
 mirrorKeepsTheAngle :: Incidence -> Property
 mirrorKeepsTheAngle (Incidence v n _ _) = near (64 * eps) (toRational (angle (reflected (vector v) n) (vector n))) (toRational (angle (negate (vector v)) (vector n)))
 
--- | Reflecting twice gives the direction again: 4 b \<v, N> N, and the slack of either reflection, the first one reflected.
+-- | Reflecting twice gives the direction again: 4 b \<v, N> N, and the slack of either reflection, the first one
+-- reflected.
 mirrorTwiceIsNothing :: Incidence -> Property
 mirrorTwiceIsNothing (Incidence u n _ _) = conjoin (near <$> components bounds <*> pure 0 <*> components (exact (reflected r n) - exact v))
   where
@@ -189,11 +194,13 @@ mirrorHasTwoSides (Oblique v n) = reflected v n === reflected v (opposite n)
 -------------------------------------------------------------------------------
 -- Two media
 
--- | The length of what is missing of T = r v + k N in the computed T, r being the rounded n1 \/ n2: two roundings of each term, with |k| <= r + 1.
+-- | The length of what is missing of T = r v + k N in the computed T, r being the rounded n1 \/ n2: two roundings of
+-- each term, with |k| <= r + 1.
 throughSlack :: Rational -> Rational
 throughSlack r = gamma 4 * (2 * r + 1)
 
--- | n1 sin a1 = n2 sin a2, and to the same side: T x N is n1 \/ n2 times v x N. (With another rounding for the quotient.)
+-- | n1 sin a1 = n2 sin a2, and to the same side: T x N is n1 \/ n2 times v x N. (With another rounding for the
+-- quotient.)
 refractionObeysSnell :: Incidence -> Property
 refractionObeysSnell (Incidence v n' n1 n2) =
   n1 /= n2 ==> case refracted (vector v) n' n1 n2 of
@@ -214,7 +221,8 @@ refractionStaysInThePlane (Incidence v n n1 n2) = case refracted (vector v) n n1
 
 -- | What passes goes on to the other side of the surface.
 --
--- \<T, N> is -sqrt (1 - r^2 sin^2 a1), and computed it is off by 3 r for \<v, N>, 8 |k| for b, the slack, and two roundings for k.
+-- \<T, N> is -sqrt (1 - r^2 sin^2 a1), and computed it is off by 3 r for \<v, N>, 8 |k| for b, the slack, and two
+-- roundings for k.
 refractionGoesThrough :: Incidence -> Property
 refractionGoesThrough (Incidence v n n1 n2) = case refracted (vector v) n n1 n2 of
   Nothing -> discard
@@ -224,8 +232,9 @@ refractionGoesThrough (Incidence v n n1 n2) = case refracted (vector v) n n1 n2 
 
 -- | The transmitted direction is unit, at the critical angle too.
 --
--- With c' = c + e the computed cosine and s the computed root, \<T, T> is s^2 + r^2 (1 - c'^2), which is 1 but for the roundings of s^2, and besides
--- 2 r^2 c e + r^2 a + 2 r s e + b k^2, and the slack. With |e| <= 3 eps, s <= 1, |k| <= r + 1 that is at most (25 r^2 + 34 r + 16) eps.
+-- With c' = c + e the computed cosine and s the computed root, \<T, T> is s^2 + r^2 (1 - c'^2), which is 1 but for the
+-- roundings of s^2, and besides 2 r^2 c e + r^2 a + 2 r s e + b k^2, and the slack. With |e| <= 3 eps, s <= 1, |k| <= r
+-- + 1 that is at most (25 r^2 + 34 r + 16) eps.
 refractionIsUnit :: Incidence -> Property
 refractionIsUnit (Incidence v n n1 n2) = case refracted (vector v) n n1 n2 of
   Nothing -> discard
@@ -236,8 +245,9 @@ unitSlack r = 32 * (1 + r) * (1 + r) * eps
 
 -- | Light that is sent back along T returns along v.
 --
--- The part across the normal comes back by the law of sines, applied twice. The part along it is known by its square only, since T is unit (to unitSlack, which
--- on the way back counts \<T, T> - 1 once more). All of it may be reflected only where (r c)^2 is within rounding of zero: there T is at the critical angle.
+-- The part across the normal comes back by the law of sines, applied twice. The part along it is known by its square
+-- only, since T is unit (to unitSlack, which on the way back counts \<T, T> - 1 once more). All of it may be reflected
+-- only where (r c)^2 is within rounding of zero: there T is at the critical angle.
 refractionReturns :: Incidence -> Property
 refractionReturns (Incidence v n' n1 n2) =
   n1 /= n2 ==> case refracted (vector v) n' n1 n2 of
@@ -258,7 +268,8 @@ refractionReturns (Incidence v n' n1 n2) =
 
 -- | Nothing passes exactly where c^2 + (n2 \/ n1)^2 < 1; within rounding of 1 either answer is right.
 --
--- The computed c^2 is off by 2 gamma 3 M and a rounding, the square of the quotient by three roundings, and their sum has one more.
+-- The computed c^2 is off by 2 gamma 3 M and a rounding, the square of the quotient by three roundings, and their sum
+-- has one more.
 reflectionIsTotal :: Incidence -> Property
 reflectionIsTotal (Incidence v n n1 n2)
   | n1 == n2 = property (isJust passes)

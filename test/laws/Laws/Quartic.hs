@@ -2,9 +2,10 @@
 -- Module      : Laws.Quartic
 -- Description : What is true of the roots of cubic and quartic polynomials, and polynomials that put it to the test
 --
--- As in "Laws.Roots", a double is a rational number, and rational arithmetic has no rounding. How many roots a polynomial has between two numbers
--- is counted by Sturm's theorem, with multiplicities from its square-free factors (D. Yun, "On square-free decomposition algorithms", 1976): neither
--- knows anything of critical points, of Newton's method or of tolerances.
+-- As in "Laws.Roots", a double is a rational number, and rational arithmetic has no rounding. How many roots a
+-- polynomial has between two numbers is counted by Sturm's theorem, with multiplicities from its square-free factors
+-- (D. Yun, "On square-free decomposition algorithms", 1976): neither knows anything of critical points, of Newton's
+-- method or of tolerances.
 module Laws.Quartic
   ( -- * Polynomials
     Polynomial (..),
@@ -41,8 +42,8 @@ import Dioptre.Math.Quartic (cubicRoots, quarticRoots)
 import Dioptre.Math.Roots (quadraticRoots)
 import Test.QuickCheck
 
--- | Coefficients, the highest degree first: four or five, of which the first is not zero. Their sizes, and those of the roots, are ordinary, so that nothing
--- overflows or underflows.
+-- | Coefficients, the highest degree first: four or five, of which the first is not zero. Their sizes, and those of the
+-- roots, are ordinary, so that nothing overflows or underflows.
 newtype Polynomial = Polynomial [Double]
   deriving (Eq, Show)
 
@@ -63,9 +64,10 @@ isAscending (Polynomial p) = solve p === sort (solve p)
 isClean :: Polynomial -> Property
 isClean (Polynomial p) = counterexample (show (solve p)) $ all (\x -> not (isNaN x || isInfinite x || isNegativeZero x)) (solve p)
 
--- | There are as many roots as the exact polynomial has. Where a root is given k times, k > 1, there are k, or fewer by an even number, within 2^-23 of
--- its size, and the polynomial there is below 2^-(25 k) of its Taylor term of degree k, and below 8 eps of its terms' sizes: what can pass for a multiple root.
--- (With that value, k roots are within 2^-25 of their size from it, if the other roots are farther.)
+-- | There are as many roots as the exact polynomial has. Where a root is given k times, k > 1, there are k, or fewer by
+-- an even number, within 2^-23 of its size, and the polynomial there is below 2^-(25 k) of its Taylor term of degree k,
+-- and below 8 eps of its terms' sizes: what can pass for a multiple root. (With that value, k roots are within 2^-25 of
+-- their size from it, if the other roots are farther.)
 isExactInNumber :: Polynomial -> Property
 isExactInNumber (Polynomial p) =
   counterexample (show (solve p, exactCount exact)) $
@@ -89,8 +91,8 @@ isExactInNumber (Polynomial p) =
             (c == 0 || found <= k && even (k - found))
               .&&. counterexample "no multiple root" (v <= term / 2 ^ (25 * k) && v <= 8 * eps * sizes exact c)
 
--- | A root that is given once is within 1 ulp of an exact one: the polynomial changes its sign there. (Within 4 ulp, if the polynomial is a quadratic one times
--- a power of x: the roots are "Dioptre.Math.Roots"'s.)
+-- | A root that is given once is within 1 ulp of an exact one: the polynomial changes its sign there. (Within 4 ulp, if
+-- the polynomial is a quadratic one times a power of x: the roots are "Dioptre.Math.Roots"'s.)
 isInPlace :: Polynomial -> Property
 isInPlace (Polynomial p) = conjoin [counterexample (show x) (changes x) | [x] <- group (solve p)]
   where
@@ -100,7 +102,8 @@ isInPlace (Polynomial p) = conjoin [counterexample (show x) (changes x) | [x] <-
 
 -- | The polynomial vanishes at its roots, up to rounding: |p(x)| <= 8 eps (|a x^n| + ... + |e|).
 --
--- Where x = X (1 + 2 eps) at worst, with X the exact root, |p(x)| <= 2 eps |X p'(x)|, and |x p'(x)| is at most n times that sum. For multiple roots it is the rule.
+-- Where x = X (1 + 2 eps) at worst, with X the exact root, |p(x)| <= 2 eps |X p'(x)|, and |x p'(x)| is at most n times
+-- that sum. For multiple roots it is the rule.
 hasSmallResidual :: Polynomial -> Property
 hasSmallResidual (Polynomial p) = conjoin [counterexample (show x) (small (toRational x)) | x <- solve p]
   where
@@ -125,8 +128,8 @@ isReflected (Polynomial p) = counterexample (show (there, back)) $ length there 
     signs = if even (length p) then cycle [-1, 1] else cycle [1, -1]
     near x y = abs (toRational x - toRational y) <= 2 * ulp x
 
--- | If there are as many different roots as the degree, they add to @-b \/ a@: each with an error of 1 ulp at most, or 4 where
--- one is zero.
+-- | If there are as many different roots as the degree, they add to @-b \/ a@: each with an error of 1 ulp at most, or
+-- 4 where one is zero.
 hasSum :: Polynomial -> Property
 hasSum (Polynomial p) = case p of
   a : b : rest
@@ -158,15 +161,16 @@ findsIntegerRoots (WithIntegerRoots k roots) = solve (map fromInteger (expanded 
 expanded :: Num a => a -> [a] -> [a]
 expanded k = foldr (\r p -> zipWith (-) (p ++ [0]) (0 : map (r *) p)) [k]
 
--- | A double root, and others well apart from it (seen from zero, at least ten times as far, or a tenth, or on the other side): as real numbers, before the
--- coefficients are rounded.
+-- | A double root, and others well apart from it (seen from zero, at least ten times as far, or a tenth, or on the
+-- other side): as real numbers, before the coefficients are rounded.
 data Touching = Touching Rational [Rational]
   deriving (Eq, Show)
 
 -- | A double root is found twice although the coefficients were rounded, within 1e-10 of its size, and the others too.
 --
--- Rounding moves the value at the root r by up to 2^-53 of the sum of sizes, 4 r^2 (r + |s|)^2 or less: below 3\/4 2^-50 of the Taylor term r^2 (r - s)^2 if
--- 2 (r + |s|)^2 <= 3 (r - s)^2, which |s| >= 10 r or r >= 10 |s| ensures, twice.
+-- Rounding moves the value at the root r by up to 2^-53 of the sum of sizes, 4 r^2 (r + |s|)^2 or less: below 3\/4
+-- 2^-50 of the Taylor term r^2 (r - s)^2 if 2 (r + |s|)^2 <= 3 (r - s)^2, which |s| >= 10 r or r >= 10 |s| ensures,
+-- twice.
 findsTouchingRoots :: Touching -> Property
 findsTouchingRoots (Touching r others) = counterexample (show (roots, map fromRational expected :: [Double])) $ length roots === length expected .&&. and (zipWith near roots expected)
   where
@@ -174,11 +178,13 @@ findsTouchingRoots (Touching r others) = counterexample (show (roots, map fromRa
     expected = sort (r : r : others)
     near x y = abs (toRational x - y) <= abs y / 10 ^ (10 :: Int)
 
--- | Coefficients, the highest degree first, of a polynomial most of whose roots, real or complex, are near one place, though not in it.
+-- | Coefficients, the highest degree first, of a polynomial most of whose roots, real or complex, are near one place,
+-- though not in it.
 newtype Gathered = Gathered [Double]
   deriving (Eq, Show)
 
--- | However near the other roots are, one that is given once is in its place, and at each the polynomial vanishes, up to rounding.
+-- | However near the other roots are, one that is given once is in its place, and at each the polynomial vanishes, up
+-- to rounding.
 --
 -- Where |x p'(x)| is less than 2^-46 of the sizes of the terms, twice the digits do not tell the place.
 findsGatheredRoots :: Gathered -> Property
@@ -188,7 +194,8 @@ findsGatheredRoots (Gathered p) = isInPlace (Polynomial p) .&&. hasSmallResidual
 newtype Wild = Wild [Double]
   deriving (Eq, Show)
 
--- | Coefficients may be of any size: of the roots between 2^-1000 and 2^1000 in size, those alone among the doubles are all found, and each is in its place.
+-- | Coefficients may be of any size: of the roots between 2^-1000 and 2^1000 in size, those alone among the doubles are
+-- all found, and each is in its place.
 findsRootsOfAnySize :: Wild -> Property
 findsRootsOfAnySize (Wild p) =
   counterexample (show (solve p)) $
@@ -326,7 +333,8 @@ closeRoots = do
   third <- elements [[], [r * (1 - gap)]]
   pure (map fromRational (expanded 1 (take 4 ([r, r * (1 + gap)] ++ third ++ others))))
 
--- | (x - m)^2 -+ g^2, times x^2 -+ 2^k or x -+ 2^k, exactly, with integers m and g, and m up to 2^25: real or complex roots as close as 2^-25.
+-- | (x - m)^2 -+ g^2, times x^2 -+ 2^k or x -+ 2^k, exactly, with integers m and g, and m up to 2^25: real or complex
+-- roots as close as 2^-25.
 closePair :: Gen [Double]
 closePair = do
   bits <- chooseInt (8, 25)
@@ -340,8 +348,9 @@ closePair = do
       e = other * 2 ^ k
   map fromInteger <$> elements [[1, b, c + e, b * e, c * e], [1, b + e, c + b * e, c * e]]
 
--- | All roots, or three of them, in one place: a fraction that is no double. Exactly, or with the last coefficient moved by 1. In every second one the coefficients have
--- 50 bits and more, so that those of the derivatives are no doubles.
+-- | All roots, or three of them, in one place: a fraction that is no double. Exactly, or with the last coefficient
+-- moved by 1. In every second one the coefficients have 50 bits and more, so that those of the derivatives are no
+-- doubles.
 cluster :: Gen [Double]
 cluster = do
   large <- arbitrary
@@ -361,8 +370,8 @@ powerOfQuadratic = squared <$> small <*> small <*> small
     small = chooseInteger (-1000, 1000)
     squared a b c = map fromInteger [a * a, 2 * a * b, b * b + 2 * a * c, 2 * b * c, c * c]
 
--- | s^4 + (2 G - 4 R^2 (1 - M^2)) s^2 + 8 R^2 M N s + G^2 - 4 R^2 (C - N^2), as "Dioptre.Geometry.Torus" has it; in every second one, the line touches
--- the torus, by sliding on it as far as it can be told with doubles.
+-- | s^4 + (2 G - 4 R^2 (1 - M^2)) s^2 + 8 R^2 M N s + G^2 - 4 R^2 (C - N^2), as "Dioptre.Geometry.Torus" has it; in
+-- every second one, the line touches the torus, by sliding on it as far as it can be told with doubles.
 torusLike :: Gen [Double]
 torusLike = do
   major <- choose (0.5, 1)
@@ -399,8 +408,9 @@ instance Arbitrary Touching where
         sign <- elements [1, -1]
         pure (sign * r * (if far > 1 then far * stretch else far / stretch))
 
--- | a h^n + ... + c h, exactly, with h = x - m, a small integer m, and integers a to c that fall by some 13 bits from one to the next, or by more and less, down to 1 or so: so
--- the slope at m, which is a root, may be 2^-50 of the sizes of the terms, and it is as small at the roots next to it.
+-- | a h^n + ... + c h, exactly, with h = x - m, a small integer m, and integers a to c that fall by some 13 bits from
+-- one to the next, or by more and less, down to 1 or so: so the slope at m, which is a root, may be 2^-50 of the sizes
+-- of the terms, and it is as small at the roots next to it.
 instance Arbitrary Gathered where
   arbitrary = (Gathered . map fromInteger <$> polynomial) `suchThat` (\(Gathered p) -> all ((< 2 ^ (53 :: Int)) . abs) p)
     where

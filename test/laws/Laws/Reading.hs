@@ -116,8 +116,8 @@ isInOrder r = places === sort places
   where
     places = [(spanLine s, spanColumn s) | Diagnostic s _ <- readingDiagnostics r]
 
--- | Everything that is said is said in English and in French, which are not the same; what was expected and what is used
--- are said in both or in neither.
+-- | Everything that is said is said in English and in French, which are not the same; what was expected and what is
+-- used are said in both or in neither.
 isSaidInBothLanguages :: Problem -> Property
 isSaidInBothLanguages p =
   conjoin
@@ -138,7 +138,8 @@ hasAStableCode p = counterexample (show (code p)) $ all word (Text.splitOn "-" (
   where
     word w = not (Text.null w) && Text.all isAsciiLower w
 
--- | A program is told the file, the code, the severity, the place and the message; and what was expected and used where it is known.
+-- | A program is told the file, the code, the severity, the place and the message; and what was expected and used where
+-- it is known.
 isToldToPrograms :: Diagnostic -> Property
 isToldToPrograms d@(Diagnostic (Span line from to) p) = conjoin $ do
   l <- [English, French]

@@ -2,9 +2,9 @@
 -- Module      : Laws.Round
 -- Description : What is true of the shapes around an axis, and rays that put it to the test
 --
--- The second opinion on each shape is its definition, as inequalities between rational numbers: a point of a ray is inside,
--- outside, or so near the surface that rounding may decide. Where the definition is sure, the computed parameters must say the same.
--- What "near" means is derived at 'bodyAt'; nothing else in this module is approximate.
+-- The second opinion on each shape is its definition, as inequalities between rational numbers: a point of a ray is
+-- inside, outside, or so near the surface that rounding may decide. Where the definition is sure, the computed
+-- parameters must say the same. What "near" means is derived at 'bodyAt'; nothing else in this module is approximate.
 module Laws.Round
   ( -- * Shapes and rays
     Body (..),
@@ -68,7 +68,8 @@ import Test.QuickCheck hiding (scale, vector)
 data Axle = Axle Point Vector Double
   deriving (Eq, Show)
 
--- | A closed shape around an axis. A bar is the infinite cylinder, in which the parameters of the infinite tube are an entry and an exit.
+-- | A closed shape around an axis. A bar is the infinite cylinder, in which the parameters of the infinite tube are an
+-- entry and an exit.
 data Body
   = Bar Axle
   | Cylinder Axle
@@ -155,16 +156,19 @@ atMostZero bound x
 -- | One condition of a definition: whether it is met, and the gradient of what must be at most zero.
 data Part = Part {met :: Place, gradient :: Exact}
 
--- | The exact numbers of a point w on a line: its parts across and along an axis, and how far a computed point may be from it.
+-- | The exact numbers of a point w on a line: its parts across and along an axis, and how far a computed point may be
+-- from it.
 --
--- A position o + t d, its vector from a point of the shape and what that is across the axis take fewer than 64 roundings, each of a number no larger than
--- 'reach' = |w| + |t d| + H + R, with |.| the sum of the components' magnitudes, which is at least the length. So 'slack' = 64 eps reach.
+-- A position o + t d, its vector from a point of the shape and what that is across the axis take fewer than 64
+-- roundings, each of a number no larger than 'reach' = |w| + |t d| + H + R, with |.| the sum of the components'
+-- magnitudes, which is at least the length. So 'slack' = 64 eps reach.
 --
--- A quadratic polynomial is computed with an error of less than 64 eps times the sum of its terms' magnitudes, and its roots are off by at most as much again
--- in terms of the polynomial ("Laws.Roots", hasSmallResidual): 128 eps. For the bar and the cylinder, which take the ray as it comes, the terms add
--- up to less than reach^2. Cone and lens take it from its point next to the apex, or to the middle of the axis: there d is orthogonal to w, so that
--- the terms add up to less than twice the square of the distance of the point from there, and a point that is off by the slack
--- adds the gradient's length times the slack, and the slack squared times the curvature.
+-- A quadratic polynomial is computed with an error of less than 64 eps times the sum of its terms' magnitudes, and its
+-- roots are off by at most as much again in terms of the polynomial ("Laws.Roots", hasSmallResidual): 128 eps. For the
+-- bar and the cylinder, which take the ray as it comes, the terms add up to less than reach^2. Cone and lens take it
+-- from its point next to the apex, or to the middle of the axis: there d is orthogonal to w, so that the terms add up
+-- to less than twice the square of the distance of the point from there, and a point that is off by the slack adds the
+-- gradient's length times the slack, and the slack squared times the curvature.
 bodyParts :: Rational -> Body -> Ray -> Rational -> [[Part]]
 bodyParts shrunk body r t = case body of
   Bar _ -> [[round' (128 * eps * reach * reach)]]
@@ -253,7 +257,8 @@ isConvex (Aimed body r _) = counterexample (show ts) (null ts || length ts == 2 
       Lens _ c1 c2 -> c1 < 0 || c2 < 0
       _ -> False
 
--- | Points between an entry and its exit are inside by the definition, and all others outside, unless they are near the surface.
+-- | Points between an entry and its exit are inside by the definition, and all others outside, unless they are near the
+-- surface.
 agreesWithDefinition :: Aimed -> Property
 agreesWithDefinition (Aimed body r samples) = conjoin (map agrees (samples ++ concatMap around ts))
   where
@@ -274,7 +279,8 @@ agreesWithDefinition (Aimed body r samples) = conjoin (map agrees (samples ++ co
 liesOnSurface :: Aimed -> Property
 liesOnSurface (Aimed body r _) = conjoin [counterexample (show t) (bodyAt 0 body r (toRational t) === Near) | t <- bodyParameters body r]
 
--- | A point that is inside is between an entry and an exit of any ray through it: nothing slips in through a rim, or past an apex.
+-- | A point that is inside is between an entry and an exit of any ray through it: nothing slips in through a rim, or
+-- past an apex.
 hitsWhatItIsAimedAt :: Aimed -> Property
 hitsWhatItIsAimedAt (Aimed body r samples) =
   conjoin
@@ -290,9 +296,9 @@ hasUnitNormals (Aimed body r _) = all (valid . bodyNormal body r) (bodyParameter
 
 -- | Where a line enters, the normal is against it, and where it leaves, along it, to rounding.
 --
--- The derivative of a quadratic polynomial has the right sign at its computed root but for the error of its coefficients: fewer than 256 roundings of
--- numbers of the size of the reach, divided by the distance from the axis, or from the sphere's centre, to which the normal is made unit.
--- (At an interval of one point the line does both.)
+-- The derivative of a quadratic polynomial has the right sign at its computed root but for the error of its
+-- coefficients: fewer than 256 roundings of numbers of the size of the reach, divided by the distance from the axis, or
+-- from the sphere's centre, to which the normal is made unit. (At an interval of one point the line does both.)
 hasOutwardNormals :: Aimed -> Property
 hasOutwardNormals (Aimed body r _) = conjoin (concatMap check (intervalsOf (bodyParameters body r)))
   where
@@ -305,7 +311,8 @@ hasOutwardNormals (Aimed body r _) = conjoin (concatMap check (intervalsOf (body
       Cone (Axle _ g radius) -> radius / modulus g + modulus g / radius
       _ -> 0
 
--- | The largest number involved at a parameter, and the distance of the point from the axis, with no more than the radius.
+-- | The largest number involved at a parameter, and the distance of the point from the axis, with no more than the
+-- radius.
 reachAt, acrossAt :: Body -> Ray -> Double -> Double
 reachAt body r t = modulus p1 + modulus (origin r - p1) + abs t * modulus (direction r) + modulus g + radius
   where
@@ -361,7 +368,8 @@ extentLeast body = let Axle _ g radius = axleOf body in min 1 (min (modulus g) r
 -------------------------------------------------------------------------------
 -- Laws of motions
 
--- | Moving body and ray by the same vector changes no bit of any parameter or normal, if nothing is rounded by the move.
+-- | Moving body and ray by the same vector changes no bit of any parameter or normal, if nothing is rounded by the
+-- move.
 movesAlong :: Aimed -> Property
 movesAlong (Aimed body r _) = forAll (point Few) $ \v ->
   let exactly' x = all (== 0) (((x + v) - v) - x)
@@ -426,7 +434,8 @@ tubeIsPartOfLine (Aimed body r _) =
     kept t = let height = dot (position r t - p1) (vector s) in 0 <= height && height <= h
     ends = endsAt a r
 
--- | Whether a point is between the end planes of the open tube, which are asked about a position in space, so that its rounding counts as well.
+-- | Whether a point is between the end planes of the open tube, which are asked about a position in space, so that its
+-- rounding counts as well.
 endsAt :: Axle -> Ray -> Double -> [Place]
 endsAt a@(Axle p1 g _) r t = map check [height, squared (exact g) - height]
   where
@@ -459,8 +468,8 @@ cylinderHasTubesParameters (Aimed body r _) = conjoin (map check (cylinderParame
 
 -- | Where a line crosses the curved surface of a cone, it crosses the double cone: near by, if not at the same double.
 --
--- The double cone is computed without the move to the apex, so that a root may be off by the square root of the rounding, 2^-25 of the numbers involved,
--- where it is nearly a double one.
+-- The double cone is computed without the move to the apex, so that a root may be off by the square root of the
+-- rounding, 2^-25 of the numbers involved, where it is nearly a double one.
 conesContainCone :: Aimed -> Property
 conesContainCone (Aimed body r _) =
   conjoin
@@ -611,8 +620,8 @@ curvature radius = do
   more <- oneof [pure 0, elements [1, 1.25, 2, 3], choose (1, 4), (1 +) . abs <$> (chooseInt (-50, -1) >>= ofSize), abs <$> (chooseInt (1, 25) >>= ofSize)]
   pure (sign * radius * max 1 more)
 
--- | A ray aimed at a point on a rim, at the apex, on the axis, in an end plane or around, along the axis or across it, along the surface of the cone,
--- or anyhow; from near or from afar.
+-- | A ray aimed at a point on a rim, at the apex, on the axis, in an end plane or around, along the axis or across it,
+-- along the surface of the cone, or anyhow; from near or from afar.
 rayAt :: Axle -> Gen Ray
 rayAt a@(Axle p1 g radius) = do
   target <- pointNear
@@ -631,7 +640,8 @@ rayAt a@(Axle p1 g radius) = do
       pure (p1 + height *^ g + (away * radius) *^ e)
     slanted = (\e -> g + radius *^ e) <$> around
 
--- | Parameters around a body: as many as 16, spread over twice its size around the point of the line next to its middle, and a few far away.
+-- | Parameters around a body: as many as 16, spread over twice its size around the point of the line next to its
+-- middle, and a few far away.
 samplesOf :: Axle -> Ray -> Gen [Double]
 samplesOf (Axle p1 g radius) r = do
   near <- vectorOf 12 (choose (-1, 1))

@@ -5,8 +5,8 @@
 -- Description : What is true of every scene, and scenes that put it to the test
 --
 -- Scenes are built by the constructors of the program, from values that are spread over all that the language admits.
--- They are written in two ways: by the program, and by this module, which knows the language from its description only and writes it as
--- people do, in any spelling, case, order and layout.
+-- They are written in two ways: by the program, and by this module, which knows the language from its description only
+-- and writes it as people do, in any spelling, case, order and layout.
 module Laws.Scene
   ( -- * Scenes
     AnyScene (..),
@@ -358,7 +358,8 @@ shapePiece thing = case thing of
     points (Corners a b c) = map (Is ["point"] . Vec) [a, b, c]
     around r = [map (Is ["position", "point"] . Vec) [axisStart (roundAxis r), axisEnd (roundAxis r)], radius (roundRadius r)]
 
--- | A text that says so, in any order that keeps what has an order, any spelling, any case and any layout, with comments between.
+-- | A text that says so, in any order that keeps what has an order, any spelling, any case and any layout, with
+-- comments between.
 disguised :: [[Piece]] -> Gen Text
 disguised groups = do
   body <- inAnyOrder groups >>= traverse (disguisedPiece 0) >>= commented . concat

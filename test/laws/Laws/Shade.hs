@@ -4,8 +4,9 @@
 -- Module      : Laws.Shade
 -- Description : What is true of the colours that rays see
 --
--- The second opinion is 'plainly': the recursion as it is specified, with the sums written out, straight from the scene. It shares with the program the shapes
--- ("Dioptre.Geometry.Prepared"), the two laws of optics and the intensity of waves, which have laws of their own, so that both follow the same rays to the bit.
+-- The second opinion is 'plainly': the recursion as it is specified, with the sums written out, straight from the
+-- scene. It shares with the program the shapes ("Dioptre.Geometry.Prepared"), the two laws of optics and the intensity
+-- of waves, which have laws of their own, so that both follow the same rays to the bit.
 module Laws.Shade
   ( -- * Scenes
     sceneOf,
@@ -101,8 +102,8 @@ sceneOf text = case filter ((== Error) . severity . diagnosticProblem) said of
   where
     (scene, said) = checkScene (parse (fromText "scene.txt" (Text.unlines text)))
 
--- | What a ray sees, but for how many times it was tried on a shape, which depends on the index: the colour, how many rays were cast, and whether more were wanted than
--- 'mostRays'.
+-- | What a ray sees, but for how many times it was tried on a shape, which depends on the index: the colour, how many
+-- rays were cast, and whether more were wanted than 'mostRays'.
 data Shown = Shown {shownColour :: Colour, shownRays :: Int, shownCut :: Bool}
   deriving (Eq, Show)
 
@@ -124,13 +125,13 @@ farOf = settingFar . cameraSettings . sceneCamera
 channels :: Colour -> [Double]
 channels (Colour r g b _) = [r, g, b]
 
--- | Each number within a bound, relative to the second one's, of another. No number is negative, so that sums lose nothing; but the power of 200 in a highlight may
--- be so small that digits are lost, of numbers below 1e-300.
+-- | Each number within a bound, relative to the second one's, of another. No number is negative, so that sums lose
+-- nothing; but the power of 200 in a highlight may be so small that digits are lost, of numbers below 1e-300.
 within :: Double -> [Double] -> [Double] -> Property
 within bound xs ys = counterexample (show xs <> " is not " <> show ys) (length xs == length ys && and (zipWith (\x y -> abs (x - y) <= bound * y + 1e-300) xs ys))
 
--- | What so many roundings make at most, one after the other in sums and products of what is not negative. (What they make of each other is so little that a
--- count that is not reached by one makes up for it.)
+-- | What so many roundings make at most, one after the other in sums and products of what is not negative. (What they
+-- make of each other is so little that a count that is not reached by one makes up for it.)
 roundings :: Int -> Double
 roundings n = fromIntegral n * 2 ** (-53)
 
@@ -156,7 +157,8 @@ data Plain = Plain [Double] Int Int Bool
 -- | A shape of the scene, by its number, with its material.
 data Thing = Thing Int Prepared Material
 
--- | What is left of the rays that may be followed, how many shadow rays were cast, and whether any ray was wanted in vain.
+-- | What is left of the rays that may be followed, how many shadow rays were cast, and whether any ray was wanted in
+-- vain.
 data Tally = Tally !Int !Int !Bool
 
 -- | The recursion of the specification.
@@ -361,12 +363,13 @@ smallCorners (Small scene r) =
 
 -- | The loop sees what the recursion sees, to rounding, with as many rays.
 --
--- Both follow the same rays to the bit, and a colour is a sum of products without cancellation; only the order of roundings differs. What a light sends back past
--- k shapes has at most 2 k + 6 of them on either side: the tints and their product 2 k, the light times the filter 1, one of its terms 3, the sum of
--- its terms 1, the attenuation 1. The sum over n lights has n - 1 on either side. On each level the loop multiplies a weight twice; the recursion
--- multiplies twice, and adds twice. At the end the loop multiplies once, and adds up all rays. That is below 6 for each level, 1 for each ray, 2 for each light,
--- 4 for each shape, and 4. A highlight with a whole exponent is a power by squaring here, which has as many as the exponent, and the library's power there,
--- which has 2.
+-- Both follow the same rays to the bit, and a colour is a sum of products without cancellation; only the order of
+-- roundings differs. What a light sends back past k shapes has at most 2 k + 6 of them on either side: the tints and
+-- their product 2 k, the light times the filter 1, one of its terms 3, the sum of its terms 1, the attenuation 1. The
+-- sum over n lights has n - 1 on either side. On each level the loop multiplies a weight twice; the recursion
+-- multiplies twice, and adds twice. At the end the loop multiplies once, and adds up all rays. That is below 6 for each
+-- level, 1 for each ray, 2 for each light, 4 for each shape, and 4. A highlight with a whole exponent is a power by
+-- squaring here, which has as many as the exponent, and the library's power there, which has 2.
 loopIsTheRecursion :: Small -> Property
 loopIsTheRecursion (Small scene r) = within (roundings count) (channels c) plain .&&. (rays, cut) === (followed + shadows, cut')
   where
@@ -381,8 +384,9 @@ loopIsTheRecursion (Small scene r) = within (roundings count) (channels c) plain
         + maximum (0 : [exponent' + 2 | hasHighlights, m <- sceneMaterials scene, let exponent' = truncate (materialShininess m), fromIntegral exponent' == materialShininess m])
     hasHighlights = raytracerAlgorithm (sceneRaytracer scene) `elem` [Phong, Blinn, PhongSpecular, BlinnSpecular]
 
--- | How many roundings two sums over the lights and the rays differ by, where only the order of sums differs: for each ray and each light one on either side, in the
--- sums over them and, instead of their first terms, in the products with the weights.
+-- | How many roundings two sums over the lights and the rays differ by, where only the order of sums differs: for each
+-- ray and each light one on either side, in the sums over them and, instead of their first terms, in the products with
+-- the weights.
 sumsOver :: Scene -> Ray -> Int
 sumsOver scene r = 2 * (length (sceneLights scene) + followed)
   where
@@ -401,8 +405,9 @@ lightsHaveNoOrder :: Small -> Property
 lightsHaveNoOrder (Small scene r) = forAll (shuffle (sceneLights scene)) $ \ls ->
   within (roundings (sumsOver scene r)) (colourOf (setLights ls scene) r) (colourOf scene r)
 
--- | Each reflexion algorithm gives the sum of its terms: to the roundings of the sums, and 5 more. Together two terms of a light are added and then attenuated, apart
--- each is attenuated; and three colours are added at the end. (Waves count under every algorithm, and are left out here.)
+-- | Each reflexion algorithm gives the sum of its terms: to the roundings of the sums, and 5 more. Together two terms
+-- of a light are added and then attenuated, apart each is attenuated; and three colours are added at the end. (Waves
+-- count under every algorithm, and are left out here.)
 termsAddUp :: Small -> Property
 termsAddUp (Small scene' r) =
   conjoin [counterexample (show algorithm) (within (roundings (sumsOver scene r + 5)) (by algorithm) (foldr (zipWith (+) . by) [0, 0, 0] parts)) | (algorithm, parts) <- sums]
@@ -428,7 +433,8 @@ interferes l = case l of
   PlanarAperture {} -> True
   _ -> False
 
--- | Lights twice as bright give a colour twice as bright, exactly. (No light of these is so weak that it counts as none only once.)
+-- | Lights twice as bright give a colour twice as bright, exactly. (No light of these is so weak that it counts as none
+-- only once.)
 twiceTheLightIsTwiceTheColour :: Small -> Property
 twiceTheLightIsTwiceTheColour (Small scene r) = within 0 (colourOf (setLights (map twice (sceneLights scene)) scene) r) (map (* 2) (colourOf scene r))
   where
@@ -440,14 +446,15 @@ twiceTheLightIsTwiceTheColour (Small scene r) = within 0 (colourOf (setLights (m
       PlanarAperture o lamp w a -> PlanarAperture o lamp {lampAmplification = 2 * lampAmplification lamp} w a
     bright (Colour r' g b a) = Colour (2 * r') (2 * g) (2 * b) a
 
--- | At level 1 it does not matter whether anything is a mirror, and one ray is followed, with at most one shadow ray a light.
+-- | At level 1 it does not matter whether anything is a mirror, and one ray is followed, with at most one shadow ray a
+-- light.
 levelOneHasNoBounces :: Small -> Property
 levelOneHasNoBounces (Small scene r) = seen one r === seen (setMaterials (\m -> m {materialKr = 0}) one) r .&&. counterexample "rays" (shownRays (seen one r) <= 1 + length (sceneLights scene))
   where
     one = setLevel 1 scene
 
--- | Each level adds, and takes nothing away. That holds exactly: what a level adds comes in between, in one sum, and a rounded sum never becomes less where its terms do not,
--- nor by a term that is not negative.
+-- | Each level adds, and takes nothing away. That holds exactly: what a level adds comes in between, in one sum, and a
+-- rounded sum never becomes less where its terms do not, nor by a term that is not negative.
 levelsAdd :: Small -> Property
 levelsAdd (Small scene r) = conjoin [counterexample (show n) (and (zipWith (<=) (at n) (at (n + 1)))) | n <- [1 .. 4]]
   where
@@ -466,7 +473,8 @@ withoutLightsAllIsBlack (Small scene r) = channels (shownColour dark) === [0, 0,
     dark = seen (setLights [] scene) r
     Plain _ followed _ _ = plainly scene r
 
--- | Ambient light takes no shadow rays, and is the same whatever stands around the surface: as if the first shape that is met were alone.
+-- | Ambient light takes no shadow rays, and is the same whatever stands around the surface: as if the first shape that
+-- is met were alone.
 ambientLightTakesNoShadowRays :: Small -> Property
 ambientLightTakesNoShadowRays (Small scene' r) = shownRays here === 1 .&&. shownColour here `elem'` (Colour 0 0 0 1 : [shownColour (seen scene {scenePrimitives = [p]} r) | p <- scenePrimitives scene])
   where
@@ -474,7 +482,8 @@ ambientLightTakesNoShadowRays (Small scene' r) = shownRays here === 1 .&&. shown
     here = seen scene r
     elem' x xs = counterexample (show x) (x `elem` xs)
 
--- | Without light a ray sees kd times the colour of what it meets first, as opaque as that colour, or black; and no other ray is cast.
+-- | Without light a ray sees kd times the colour of what it meets first, as opaque as that colour, or black; and no
+-- other ray is cast.
 noLightIsDiffuse :: Small -> Property
 noLightIsDiffuse (Small scene' r) = seen scene r === Shown expected 1 False
   where
@@ -497,8 +506,8 @@ mirrorShowsWhatItFaces = throughAMirror 1 $ \shown faced -> shown === faced
 mirrorIsWeighted :: Small -> Property
 mirrorIsWeighted = throughAMirror 0.25 $ \shown faced -> within 0 shown (map (/ 4) faced)
 
--- | Puts a black mirror below the scene, and looks into it so that the reflected ray goes where the ray came from. (Waves are seen on black surfaces too, and left
--- out.)
+-- | Puts a black mirror below the scene, and looks into it so that the reflected ray goes where the ray came from.
+-- (Waves are seen on black surfaces too, and left out.)
 throughAMirror :: Double -> ([Double] -> [Double] -> Property) -> Small -> Property
 throughAMirror kr compared (Small scene' r) = case unit (origin r - foot) of
   Just up | met -> compared (colourOf (setLevel 5 scene) (incoming up)) (colourOf (setLevel 4 scene) (onwards up))
@@ -519,16 +528,18 @@ throughAMirror kr compared (Small scene' r) = case unit (origin r - foot) of
     isOf [(_, i)] j = i == j
     isOf _ _ = False
 
--- | A slab of glass leaves a ray parallel to itself and displaces it by L sin (a - b) \/ cos b, as the textbook says: L is the slab's thickness, a the angle of
--- incidence, and sin a = n sin b.
+-- | A slab of glass leaves a ray parallel to itself and displaces it by L sin (a - b) \/ cos b, as the textbook says: L
+-- is the slab's thickness, a the angle of incidence, and sin a = n sin b.
 --
--- What is seen behind it is a plane under three lamps in three colours, each of which falls off with the square of the distance, so that a colour tells the
--- place: with d the distance of a lamp, which is at least 4, by at most 3 \/ d and 1 \/ 4 of itself for a step along the floor and off it.
+-- What is seen behind it is a plane under three lamps in three colours, each of which falls off with the square of the
+-- distance, so that a colour tells the place: with d the distance of a lamp, which is at least 4, by at most 3 \/ d and
+-- 1 \/ 4 of itself for a step along the floor and off it.
 --
--- The slab's normals are axes, so that the cosines of incidence are exact. Inside, the direction leans by 6 roundings, and its length is wrong by as many. On the way out
--- 1 - n^2 (1 - c^2) is wrong by 16 n^2 + 8 of them, and its root, cos a, by 1 \/ (2 cos a) of that; the direction leans by this times sin a, and the floor is 2 below, so that
--- the place moves by 2 \/ cos^2 a times as much. The parameters and places of the four surfaces, up to 14 away, have some 200, and the displacement by the
--- textbook 25. The light of a lamp has 25 on either side.
+-- The slab's normals are axes, so that the cosines of incidence are exact. Inside, the direction leans by 6 roundings,
+-- and its length is wrong by as many. On the way out 1 - n^2 (1 - c^2) is wrong by 16 n^2 + 8 of them, and its root,
+-- cos a, by 1 \/ (2 cos a) of that; the direction leans by this times sin a, and the floor is 2 below, so that the
+-- place moves by 2 \/ cos^2 a times as much. The parameters and places of the four surfaces, up to 14 away, have some
+-- 200, and the displacement by the textbook 25. The light of a lamp has 25 on either side.
 slabDisplaces :: Property
 slabDisplaces = forAll ((,,) <$> choose (0, 1.2) <*> choose (0, 2 * pi) <*> oneof [elements [1, 1.5, 2.42], choose (1.5, 3)]) $ \(a, turn, n) ->
   let b = asin (sin a / n)
@@ -548,7 +559,8 @@ slabDisplaces = forAll ((,,) <$> choose (0, 1.2) <*> choose (0, 2 * pi) <*> oneo
         ++ ["material", "name floor", "kd 1", "end", "primitive", "material_name floor", "plane", "position 0 0 -3", "end", "end"]
         ++ concat [["point_light", "color " <> c, "position " <> p, "constant_attenuator 0", "quadratic_attenuator 1", "end"] | (c, p) <- [("red", "9 0 1"), ("green", "-5 8 2"), ("blue", "-4 -9 3")]]
 
--- | What a shadow ray passes does not depend on the order of the shapes, up to roundings: each side multiplies at most once for each shape.
+-- | What a shadow ray passes does not depend on the order of the shapes, up to roundings: each side multiplies at most
+-- once for each shape.
 passageHasNoOrder :: Small -> Property
 passageHasNoOrder (Small scene r) = forAll ((,) <$> shuffle (scenePrimitives scene) <*> elements [1, 3, 1 / 0]) $ \(shapes, bound) ->
   let at these = transmittance (world Map.empty noModels scene {scenePrimitives = these}) r bound

@@ -2,8 +2,8 @@
 -- Module      : Laws.Single
 -- Description : Decimals of single precision against exact arithmetic
 --
--- The nearest single of a decimal, found with integers: the decimal is a rational number, which is cut into units of the single's last bit and
--- rounded by 'round', to even where two are as near.
+-- The nearest single of a decimal, found with integers: the decimal is a rational number, which is cut into units of
+-- the single's last bit and rounded by 'round', to even where two are as near.
 module Laws.Single
   ( -- * Decimals
     Decimal (..),

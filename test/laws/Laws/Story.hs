@@ -4,8 +4,8 @@
 -- Module      : Laws.Story
 -- Description : What is true of the stories of pixels
 --
--- A story must tell what the renderer does, to the bit; and what it tells must hold by itself: roots solve the equations beside them, terms follow from the distances, angles and
--- filters beside them, parts make the sum.
+-- A story must tell what the renderer does, to the bit; and what it tells must hold by itself: roots solve the
+-- equations beside them, terms follow from the distances, angles and filters beside them, parts make the sum.
 module Laws.Story
   ( -- * What the laws are tried with
     Pictured (..),
@@ -154,7 +154,8 @@ sameColour assets library scene x y =
     p = plan assets library scene
     Sampled colour _ = colourAt p x y
 
--- | The colour of a story is that of the renderer, bit for bit, and so are its bytes: through mirrors and glass, with pictures, with several rays a pixel.
+-- | The colour of a story is that of the renderer, bit for bit, and so are its bytes: through mirrors and glass, with
+-- pictures, with several rays a pixel.
 colourIsTheRenderers :: Pictured -> Property
 colourIsTheRenderers (Pictured scene assets x y) = sameColour assets noModels scene x y
 
@@ -189,8 +190,8 @@ asManyRaysAsCast p@(Pictured scene assets x y) =
 -------------------------------------------------------------------------------
 -- Shapes
 
--- | What is found under a number is what the world has there: whatever has no number there is not found, and a ray meets both at the same parameters, to the bit. (Corners' normals may be made unit once or
--- twice.)
+-- | What is found under a number is what the world has there: whatever has no number there is not found, and a ray
+-- meets both at the same parameters, to the bit. (Corners' normals may be made unit once or twice.)
 shapesAreTheWorlds :: Modelled -> Property
 shapesAreTheWorlds (Modelled scene library r _) =
   [parameters (foldr placedIn shape (foundFrames f)) r | Just f <- founds, Just shape <- [prepare (foundShape f)]] === [parameters shape r | Just (Surface shape _) <- map (surfaceAt w) [0 .. worldSize w - 1]]
@@ -233,8 +234,9 @@ parametersOfShortAxesAreRoots =
 
 -- | Every root that is told solves the condition that it is told with, to rounding.
 --
--- A root of the second degree is within 4 units of the exact one, so that the residual is within 8 2^-53 of the sum of the absolute terms, each times its degree; the product with the shift and
--- scale, and the sum with t0, add three roundings of the numbers there, which the slope multiplies. Roots of the fourth degree have residuals of some 2^-48.
+-- A root of the second degree is within 4 units of the exact one, so that the residual is within 8 2^-53 of the sum of
+-- the absolute terms, each times its degree; the product with the shift and scale, and the sum with t0, add three
+-- roundings of the numbers there, which the slope multiplies. Roots of the fourth degree have residuals of some 2^-48.
 rootsSolve :: Modelled -> Property
 rootsSolve (Modelled scene library r _) =
   conjoin
@@ -268,7 +270,8 @@ solves equation condition t = case condition of
     (t0, k) = maybe (0, 1) (bimap toRational toRational) (equationMoved equation)
     u = 1 / 2 ^ (53 :: Int)
 
--- | The shape that is hit is the one told as the closest, at its kept root; no other kept root is nearer; every fate and verdict is what its numbers say; and every shape is accounted for.
+-- | The shape that is hit is the one told as the closest, at its kept root; no other kept root is nearer; every fate
+-- and verdict is what its numbers say; and every shape is accounted for.
 verdictsAccountForTheHit :: Pictured -> Property
 verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMap (raysOf . sampleRay) (storySamples story)))
   where
@@ -314,14 +317,17 @@ verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMa
       Outside -> False
       _ -> True
 
--- | How far beyond an edge of a triangle, as barycentric coordinates go, a ray's point may be told that passes within the triangle, or within it one that passes beside; given the sum of the
--- coordinates. There is nothing of the kind for other shapes.
+-- | How far beyond an edge of a triangle, as barycentric coordinates go, a ray's point may be told that passes within
+-- the triangle, or within it one that passes beside; given the sum of the coordinates. There is nothing of the kind for
+-- other shapes.
 --
--- With m the distances of the ray's start and of the farthest corner from the origin, L the longest edge, N = s1 x s2, and a = |\<N, d>| what the ray sees of it:
+-- With m the distances of the ray's start and of the farthest corner from the origin, L the longest edge, N = s1 x s2,
+-- and a = |\<N, d>| what the ray sees of it:
 --
 -- * A corner's shadow has 6 m roundings, and is at most 2 m away; an edge's two products make 64 m^2 of that, of a.
--- * The unit normal leans by 5 L^2 \/ |N| + 4, so that the plane is met that much of the distance w from the first corner too early or too late; the parameter
---   and the place have 16 m and 8 w more. All that is divided by the cosine, a \/ |N|. A coordinate changes by L \/ |N| for each unit of length.
+-- * The unit normal leans by 5 L^2 \/ |N| + 4, so that the plane is met that much of the distance w from the first
+--   corner too early or too late; the parameter and the place have 16 m and 8 w more. All that is divided by the
+--   cosine, a \/ |N|. A coordinate changes by L \/ |N| for each unit of length.
 -- * The inner products of the coordinates have 32 L^4 \/ |N|^2 of themselves.
 cornerSlack :: Ray -> Shape -> Double -> Double
 cornerSlack r shape coordinates = case shape of
@@ -341,7 +347,8 @@ cornerSlack r shape coordinates = case shape of
 -------------------------------------------------------------------------------
 -- Light
 
--- | The lights' shares, in their order, add up to what comes back from the hit, exactly; and the rays' contributions, in their order, to the sample.
+-- | The lights' shares, in their order, add up to what comes back from the hit, exactly; and the rays' contributions,
+-- in their order, to the sample.
 sharesAreTheSum :: Pictured -> Property
 sharesAreTheSum p = conjoin (map ofSample (storySamples (storyOf p)))
   where
@@ -355,14 +362,18 @@ sharesAreTheSum p = conjoin (map ofSample (storySamples (storyOf p)))
             .&&. conjoin [three (rayContribution r) === zipWith (*) (weights r) (three (rayOwnColour r)) | r <- rays]
     weights r = let (x, y, z) = rayWeight r in [x, y, z]
 
--- | The terms of a share follow from what is told of its way by the formulas of the textbook, and add up to the share, to rounding; what does not arrive gives nothing.
+-- | The terms of a share follow from what is told of its way by the formulas of the textbook, and add up to the share,
+-- to rounding; what does not arrive gives nothing.
 --
--- The renderer adds two terms and attenuates the sum; told apart, each is attenuated, and then they are added: 2 roundings on either side. Cosine and attenuation are multiplied with
--- the light one after the other, or with each other first: 2 on either side.
+-- The renderer adds two terms and attenuates the sum; told apart, each is attenuated, and then they are added: 2
+-- roundings on either side. Cosine and attenuation are multiplied with the light one after the other, or with each
+-- other first: 2 on either side.
 --
--- A highlight is a power of a cosine x. For Blinn's, \<N, b> \/ |b|, the two orders of the division have 4 roundings each, of at most 1. For Phong's, -\<d, v> + 2 \<d, N> \<N, v>,
--- the renderer's way by the mirrored direction has 12 and the sum 18. Together they are below 32, which the power makes k \/ x times as much; its squarings have k themselves, and the
--- library's power and the products 6. Where x is below 2^-40 its sign may be a rounding, and nothing is asked.
+-- A highlight is a power of a cosine x. For Blinn's, \<N, b> \/ |b|, the two orders of the division have 4 roundings
+-- each, of at most 1. For Phong's, -\<d, v> + 2 \<d, N> \<N, v>, the renderer's way by the mirrored direction has 12
+-- and the sum 18. Together they are below 32, which the power makes k \/ x times as much; its squarings have k
+-- themselves, and the library's power and the products 6. Where x is below 2^-40 its sign may be a rounding, and
+-- nothing is asked.
 sharesFollowFromTheirWays :: Pictured -> Property
 sharesFollowFromTheirWays p =
   conjoin
@@ -401,14 +412,16 @@ sharesFollowFromTheirWays p =
           | abs x < 2 ** (-40) = property True
           | otherwise = within (expm1 (shine * roundings 32 / abs x) + shine * roundings 1 + roundings 6) (three c) (map (* (approachFactor way * (if x < 0 then 0 else x ** shine))) (zipWith (*) light (three (specularOf (hitColours h)))))
 
--- | What is thrown back leaves at the angle at which it came, and what passes obeys Snell's law, n1 sin a1 = n2 sin a2; nothing passes where n1 sin a1 > n2. Directions stay unit.
+-- | What is thrown back leaves at the angle at which it came, and what passes obeys Snell's law, n1 sin a1 = n2 sin a2;
+-- nothing passes where n1 sin a1 > n2. Directions stay unit.
 --
--- An angle is told to 10 roundings: the cross product has 3 and its length 4, the inner product 3, the arc tangent 3. A normal's square is 1 to 10 roundings, so that a mirrored
--- direction leans by 20, and by 9 of its own.
+-- An angle is told to 10 roundings: the cross product has 3 and its length 4, the inner product 3, the arc tangent 3. A
+-- normal's square is 1 to 10 roundings, so that a mirrored direction leans by 20, and by 9 of its own.
 --
--- Of a refracted direction, with r = n1 \/ n2, the part along the surface has 3 r + 2 roundings, and the cosine c 8, of which r^2 (1 - c^2) makes 18 r^2 + 6. Together its
--- squared length is 1 to 18 r^2 + 38 r + 26 roundings, and its angle's sine has half of that, 3 r + 2, and those of the two angles, 12 (1 + r): all are below 48 (1 + r^2).
--- Where the squared length of what arrives is off by a part, that part comes back r^2 times as much.
+-- Of a refracted direction, with r = n1 \/ n2, the part along the surface has 3 r + 2 roundings, and the cosine c 8, of
+-- which r^2 (1 - c^2) makes 18 r^2 + 6. Together its squared length is 1 to 18 r^2 + 38 r + 26 roundings, and its
+-- angle's sine has half of that, 3 r + 2, and those of the two angles, 12 (1 + r): all are below 48 (1 + r^2). Where
+-- the squared length of what arrives is off by a part, that part comes back r^2 times as much.
 bouncesObeyTheLaws :: Pictured -> Property
 bouncesObeyTheLaws p =
   conjoin

@@ -4,8 +4,8 @@
 -- Module      : Laws.Text
 -- Description : What is true of reading, whatever the text
 --
--- Texts of three kinds: scenes as people write them, such scenes with something wrong, and bytes that mean nothing. What holds of
--- all of them is written for bytes or for any text; what holds of the layout is written for both.
+-- Texts of three kinds: scenes as people write them, such scenes with something wrong, and bytes that mean nothing.
+-- What holds of all of them is written for bytes or for any text; what holds of the layout is written for both.
 module Laws.Text
   ( -- * Texts
     SceneText (..),
@@ -106,8 +106,8 @@ countsCodePoints t = conjoin (map (uncurry holds) (concatMap places (parse sourc
 -------------------------------------------------------------------------------
 -- Laws of reading
 
--- | Any text has a scene that is sound, and all that is said of it has a place, an order, both languages, a code, a form for programs and
--- one for people.
+-- | Any text has a scene that is sound, and all that is said of it has a place, an order, both languages, a code, a
+-- form for programs and one for people.
 isReadWhole :: Reading -> QuickCheck.Property
 isReadWhole r =
   conjoin
@@ -118,7 +118,8 @@ isReadWhole r =
       conjoin [isToldToPrograms d .&&. isShownSafely (readingSource r) d | d <- readingDiagnostics r]
     ]
 
--- | Comments and empty lines put in anywhere change neither the scene nor what is said of it, but for the numbers of lines.
+-- | Comments and empty lines put in anywhere change neither the scene nor what is said of it, but for the numbers of
+-- lines.
 ignoresComments :: Text -> QuickCheck.Property
 ignoresComments t = forAll (vectorOf (length lines') (frequency [(3, pure []), (1, (: []) <$> elements ["", "  ", "# end", "\t! sphere", "- 1", "/camera", "@", "*"])])) $ \added ->
   let longer = Text.intercalate "\n" (concat (zipWith (\more line -> more <> [line]) added lines'))

@@ -2,8 +2,9 @@
 -- Module      : Laws.Thin
 -- Description : Flat cones and caps: they are nearly the disk that they stand on
 --
--- A cone over a disk of radius R, and a cap whose sphere is much larger, are within a small height of their disk. A line that crosses the disk's plane steeply meets them next to where it crosses, or not at all, and
--- which of both is known from the distance of that place from the axis: from rational numbers here, without the shapes' equations.
+-- A cone over a disk of radius R, and a cap whose sphere is much larger, are within a small height of their disk. A
+-- line that crosses the disk's plane steeply meets them next to where it crosses, or not at all, and which of both is
+-- known from the distance of that place from the axis: from rational numbers here, without the shapes' equations.
 module Laws.Thin
   ( Thin (..),
     thinShape,
@@ -41,7 +42,8 @@ import Linear.V2 (V2 (..))
 import Linear.V3 (V3 (..))
 import Test.QuickCheck hiding (vector)
 
--- | A flat cone or cap: the centre of its disk, the unit normal, the radius, and H (of a cone) or c (of a cap); and a ray.
+-- | A flat cone or cap: the centre of its disk, the unit normal, the radius, and H (of a cone) or c (of a cap); and a
+-- ray.
 data Thin
   = ThinCone Point Unit Double Double Ray
   | ThinCap Point Unit Double Double Ray
@@ -54,7 +56,8 @@ instance Arbitrary Thin where
         s <- oneof [elements [alongX, alongY, alongZ], someUnit]
         radius <- someRadius
         h <- (\k -> radius * 2 ** negate k) <$> oneof [choose (5.01, 24), choose (5.01, 200)]
-        -- An apex is rounded where it does not lie at the origin or across the axis: then the axis would be another one.
+        -- An apex is rounded where it does not lie at the origin or across the axis: then the axis would be another
+        -- one.
         p <- if s `elem` [alongX, alongY, alongZ] then (\v -> 4 * radius *^ (v - fmap (* sum (v * vector s)) (vector s))) <$> someVector else pure 0
         ThinCone p s radius h <$> rayAt p s radius
       someCap = do
@@ -65,7 +68,8 @@ instance Arbitrary Thin where
         ThinCap p n radius c <$> rayAt p n radius
       someRadius = (2 **) <$> choose (-6, 6)
 
--- | A ray that is aimed at a place of a disk's plane, up to three radii from the axis and often next to the rim, from up to a hundred radii away, no more than 80 degrees from the axis.
+-- | A ray that is aimed at a place of a disk's plane, up to three radii from the axis and often next to the rim, from
+-- up to a hundred radii away, no more than 80 degrees from the axis.
 rayAt :: Point -> Unit -> Double -> Gen Ray
 rayAt p n radius = do
   e <- someAcross n
@@ -107,11 +111,14 @@ thinCrowd = do
   let shapes = mapMaybe thinShape drawn
   pure (Crowd (Scenery shapes 0 (world mempty noModels (sceneOf shapes)) (mapMaybe prepare shapes) (map obvious shapes)) (map thinRay drawn))
 
--- | Where the line crosses the plane of the disk: the parameter, the distance from the axis as a bound from below and from above, and how far a shape of that height may be met from there: along the line, in parameters; and
--- in the plane.
+-- | Where the line crosses the plane of the disk: the parameter, the distance from the axis as a bound from below and
+-- from above, and how far a shape of that height may be met from there: along the line, in parameters; and in the
+-- plane.
 --
--- The height is at most H, or R^2 \/ |c|; the line goes through it in no more than the height over the cosine with the axis. The rounding of a position is that of the coordinates, fewer than 64 roundings of numbers no larger than
--- |o - P| + |P| + R, over the cosine too. (An axis that is made unit from rounded points is off by 2^-52, which moves the plane under the line by no more.)
+-- The height is at most H, or R^2 \/ |c|; the line goes through it in no more than the height over the cosine with the
+-- axis. The rounding of a position is that of the coordinates, fewer than 64 roundings of numbers no larger than |o -
+-- P| + |P| + R, over the cosine too. (An axis that is made unit from rounded points is off by 2^-52, which moves the
+-- plane under the line by no more.)
 data Crossing = Crossing Rational Rational Rational Rational Rational
 
 crossing :: Thin -> Crossing
@@ -176,9 +183,12 @@ instance Arbitrary Turning where
     p <- (\v -> 4 * radius *^ v) <$> someVector
     Turning p n radius <$> rayAt p n radius
 
--- | On both sides of the height, or the curvature, at which a rule changes, a line has the same parameters, to the rounding of positions, unless it passes the rim within that.
+-- | On both sides of the height, or the curvature, at which a rule changes, a line has the same parameters, to the
+-- rounding of positions, unless it passes the rim within that.
 --
--- The height changes by 2^-50 of itself, or the curvature by as much, which moves a parameter by less. A cone of R = 32 H that is not flat knows the rim to 2^-44 of itself, as derived in the note there, and the other way and the caps know it better; the bound is 64 times the one, in lengths of positions.
+-- The height changes by 2^-50 of itself, or the curvature by as much, which moves a parameter by less. A cone of R = 32
+-- H that is not flat knows the rim to 2^-44 of itself, as derived in the note there, and the other way and the caps
+-- know it better; the bound is 64 times the one, in lengths of positions.
 changesContinuously :: Turning -> Property
 changesContinuously (Turning p n radius r) = same (cone' (radius / 32)) (cone' (radius / 32 * (1 - 2 ** (-50)))) .&&. conjoin [same (cap' (side * 16 * radius)) (cap' (side * 16 * radius * (1 + 2 ** (-50)))) | side <- [1, -1]]
   where

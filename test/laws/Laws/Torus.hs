@@ -2,8 +2,8 @@
 -- Module      : Laws.Torus
 -- Description : What is true where rays meet tori
 --
--- The second opinion is the torus's other equation, F = ((rho - R)^2 + h^2 - r^2) ((rho + R)^2 + h^2 - r^2), whose sign is read off at many places of the line:
--- no polynomial is expanded, and no root is solved for.
+-- The second opinion is the torus's other equation, F = ((rho - R)^2 + h^2 - r^2) ((rho + R)^2 + h^2 - r^2), whose sign
+-- is read off at many places of the line: no polynomial is expanded, and no root is solved for.
 module Laws.Torus
   ( -- * Tori and rays
     Meeting (..),
@@ -68,8 +68,9 @@ blur (Meeting p _ _ _ r) t = 2 ** (-52) * (modulus p + 2 * modulus (origin r - p
 extent :: Meeting -> Double
 extent (Meeting _ _ major minor _) = major + minor
 
--- | At each parameter |F| is at most 2^-44 (R + r)^4, and 32 (R + r)^3 times the blur of the point. (The gradient of F is 4 (|v|^2 + k) v - 8 R^2 (v - h n) or less than 12 (R + r)^3.)
--- For a ring torus, the distance from the circle is r, within 2^-44 (R + r)^4 \/ (8 r R (R - r)) and some blurs.
+-- | At each parameter |F| is at most 2^-44 (R + r)^4, and 32 (R + r)^3 times the blur of the point. (The gradient of F
+-- is 4 (|v|^2 + k) v - 8 R^2 (v - h n) or less than 12 (R + r)^3.) For a ring torus, the distance from the circle is r,
+-- within 2^-44 (R + r)^4 \/ (8 r R (R - r)) and some blurs.
 areOnTheTorus :: Meeting -> Property
 areOnTheTorus m@(Meeting p n major minor r) = conjoin [counterexample (show (t, equation m (position r t))) (small t .&&. distant t) | t <- meetings m]
   where
@@ -92,8 +93,8 @@ areEvenAndAscending m = counterexample (show ts) $ ts === sort ts .&&. even (len
   where
     ts = meetings m
 
--- | Between two places of the line, the number of parameters is odd if F has another sign there, and even if it has the same, provided that |F| is above what
--- rounding does to it.
+-- | Between two places of the line, the number of parameters is odd if F has another sign there, and even if it has the
+-- same, provided that |F| is above what rounding does to it.
 areWhereTheSignChanges :: Meeting -> Property
 areWhereTheSignChanges m@(Meeting p _ _ _ r) = conjoin (zipWith agree clear (drop 1 clear))
   where
@@ -116,7 +117,8 @@ moveAlong (Meeting p n major minor r) = forAll (V3 <$> whole <*> whole <*> whole
     whole = fromInteger <$> chooseInteger (-1000, 1000)
     coarse x = fromInteger (round (x * 1024)) / 1024
 
--- | A quarter turn about the z axis of the world, or a mirror across a plane of the axes, leaves the parameters alone bit for bit.
+-- | A quarter turn about the z axis of the world, or a mirror across a plane of the axes, leaves the parameters alone
+-- bit for bit.
 turnAlong :: Meeting -> Property
 turnAlong (Meeting p n major minor r) = conjoin $ do
   turn <- [\(V3 x y z) -> V3 (negate y) x z, \(V3 x y z) -> V3 (negate x) y z, \(V3 x y z) -> V3 x y (negate z)]
@@ -142,8 +144,8 @@ areInverseToTheDirection m@(Meeting p n major minor r) = forAll (chooseInt (-60,
 -- With f the factor of the sheet, which is nearly 0, and g the other, the gradient is g grad f + f grad g. The first
 -- term is along the normal and 2 d g long. The second is at most 4 l |f| long, as |grad g| is twice the distance from
 -- the circle's far side, which is at most 2 l; of it, 4 R |f| is across the normal at most. Roundings, in units of
--- 2^-53 l^3: 76 in the gradient, 32 in the normal (4 R \/ r + 4 of its direction, times the gradient, 8 R r rho), 100 in
--- 2 d g, 64 in f, 84 in the products: less than 512 together.
+-- 2^-53 l^3: 76 in the gradient, 32 in the normal (4 R \/ r + 4 of its direction, times the gradient, 8 R r rho), 100
+-- in 2 d g, 64 in f, 84 in the products: less than 512 together.
 areUnitAndAlongTheGradient :: Meeting -> Property
 areUnitAndAlongTheGradient m@(Meeting p n major minor r) = conjoin [along (position r t) | t <- meetings m]
   where
@@ -178,8 +180,8 @@ isBetweenHits m@(Meeting p n major minor r) = minor < major && length ts `elem` 
           off = abs (sqrt ((rho - major) * (rho - major) + h * h) - minor)
        in counterexample (show (s, t, off)) (off <= roundThickness * minor + offTheRing m middle || torusContains p n major minor v == expected)
 
--- | On the axis everything has an answer: the normal is unit, and inside is what is nearer to the circle than r less its
--- 'roundThickness'.
+-- | On the axis everything has an answer: the normal is unit, and inside is what is nearer to the circle than r less
+-- its 'roundThickness'.
 --
 -- The point is rounded to 2^-53 of |P| + 2 |h| in each coordinate, its height and its distance from the axis by 12
 -- roundings of h, and its distance from the circle by 4 of R + |h|: less than 32 together, of |P| + |h| + R.

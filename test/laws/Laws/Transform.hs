@@ -2,7 +2,8 @@
 -- Module      : Laws.Transform
 -- Description : What is true of scaling, turning and moving
 --
--- The second opinion is the product of the five matrices of the definition, multiplied by "Linear.Matrix" with sines and cosines of angles that were not reduced.
+-- The second opinion is the product of the five matrices of the definition, multiplied by "Linear.Matrix" with sines
+-- and cosines of angles that were not reduced.
 module Laws.Transform
   ( -- * Transformations
     Drawn (..),
@@ -50,7 +51,8 @@ rounding = 2 ** (-48)
 -------------------------------------------------------------------------------
 -- Laws
 
--- | The matrix is T Rz Ry Rx S, entry by entry within 2^-48 of the largest scale factor. (Angles stay below 1000 degrees, of which 2^-49 is how far the second opinion's are off.)
+-- | The matrix is T Rz Ry Rx S, entry by entry within 2^-48 of the largest scale factor. (Angles stay below 1000
+-- degrees, of which 2^-49 is how far the second opinion's are off.)
 isTheProduct :: Drawn -> Property
 isTheProduct (Drawn t) = counterexample (show (matrix t, expected)) $ and (zipWith near (entries (matrix t)) (entries expected))
   where
@@ -67,7 +69,8 @@ isTheProduct (Drawn t) = counterexample (show (matrix t, expected)) $ and (zipWi
         !*! V4 (V4 1 0 0 0) (V4 0 (cos ax) (negate (sin ax)) 0) (V4 0 (sin ax) (cos ax) 0) (V4 0 0 0 1)
         !*! V4 (V4 sx 0 0 0) (V4 0 sy 0 0) (V4 0 0 sz 0) (V4 0 0 0 1)
 
--- | Turns by multiples of 90 degrees carry whole numbers to whole numbers, exactly: x y z to x -z y about x, to z y -x about y, to -y x z about z.
+-- | Turns by multiples of 90 degrees carry whole numbers to whole numbers, exactly: x y z to x -z y about x, to z y -x
+-- about y, to -y x z about z.
 isExactAtQuarterTurns :: Quarters -> Property
 isExactAtQuarterTurns (Quarters i j k) = forAll (V3 <$> whole <*> whole <*> whole) $ \v ->
   transformDirection m v === (times k aboutZ . times j aboutY . times i aboutX) v
@@ -89,7 +92,8 @@ isPeriodic (Drawn t) = forAll (V3 <$> turns <*> turns <*> turns) $ \by ->
   where
     turns = (360 *) . fromInteger <$> chooseInteger (-1000000, 1000000)
 
--- | A point that is transformed and carried back is the point, and the other way round, but for rounding stretched by the ratio of the scale factors.
+-- | A point that is transformed and carried back is the point, and the other way round, but for rounding stretched by
+-- the ratio of the scale factors.
 pointsComeBack :: Drawn -> Property
 pointsComeBack (Drawn t) = forAll aPoint $ \p ->
   let m = placement t
@@ -107,7 +111,8 @@ directionsAreDifferences (Drawn t) = forAll aPoint $ \p -> forAll aPoint $ \d ->
    in modulus (there - transformDirection m d) <= rounding * (1 + maximum (abs <$> transformScale t)) * sizes
         && modulus (back - inverseDirection m d) <= rounding * sizes / least t
 
--- | A transformed normal is unit, orthogonal to what becomes of the directions in its plane, and on the same side of the surface as what becomes of itself.
+-- | A transformed normal is unit, orthogonal to what becomes of the directions in its plane, and on the same side of
+-- the surface as what becomes of itself.
 normalsStayNormal :: Drawn -> Property
 normalsStayNormal (Drawn t) = forAll aUnit $ \n -> forAll aUnit $ \e ->
   let m = placement t

@@ -78,10 +78,11 @@ barycentricIsNearExact (Aimed shape r) = case shape of
 
 -- | In a needle, and in one that is scaled by any power of two, barycentric coordinates are near the exact ones.
 --
--- Each component of a cross product has two products and a difference, gamma 2 of its terms, which are at most |a| |b| in sum by their squares: |e| <= 2 gamma 2 |a| |b|. So with
--- s = |n| \/ |s1| |s2| and q = |w| \/ |n|, the product of a cross product and n errs by gamma 3 of both lengths and by their errors, and \<n, n> as well: with
--- x = gamma 9 \/ s, each by at most (2 x + x^2) of |a| |b| |n|, and the quotient by these relative to |w| |s2| |n| and by |t| times those of \<n, n>. Edges and w are
--- exact here, as the needle has few digits.
+-- Each component of a cross product has two products and a difference, gamma 2 of its terms, which are at most |a| |b|
+-- in sum by their squares: |e| <= 2 gamma 2 |a| |b|. So with s = |n| \/ |s1| |s2| and q = |w| \/ |n|, the product of a
+-- cross product and n errs by gamma 3 of both lengths and by their errors, and \<n, n> as well: with x = gamma 9 \/ s,
+-- each by at most (2 x + x^2) of |a| |b| |n|, and the quotient by these relative to |w| |s2| |n| and by |t| times those
+-- of \<n, n>. Edges and w are exact here, as the needle has few digits.
 needlesAreNearExact :: Property
 needlesAreNearExact = forAll setting $ \(k, Corners p0 p1 p2, p) ->
   let s1 = exact p1 - exact p0

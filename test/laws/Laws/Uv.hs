@@ -67,7 +67,8 @@ frameStartsAtSmallest (Framed _ n _) = counterexample (show (n, e1)) (leaning >=
       part : _ -> part
       [] -> 0
 
--- | The centre of a disk is the middle of the picture, e1 runs to the right and e2 up, and no point of the disk is outside.
+-- | The centre of a disk is the middle of the picture, e1 runs to the right and e2 up, and no point of the disk is
+-- outside.
 diskFillsPicture :: Framed -> Property
 diskFillsPicture (Framed p n radius) = forAll ((,) <$> fraction <*> choose (0, 2 * pi)) $ \(part, angle) ->
   let (e1, e2) = frame n

@@ -107,9 +107,11 @@ centreIsAhead seen@(Seen c v _) = counterexample (show p) $ and [abs e <= slack 
     p = pointAt (seenView seen) (fromIntegral (viewportWidth v) / 2) (fromIntegral (viewportHeight v) / 2)
     ahead = along (exact (settingPosition s)) (exact (vector (cameraFront c))) (toRational (settingNear s))
 
--- | The middle of the picture is c: to the bit in each coordinate in which at most one of c, u1 and u2 is not zero; in the others within 2^-49 of the greatest of c, a = w\/2 u1 and b = h\/2 u2.
+-- | The middle of the picture is c: to the bit in each coordinate in which at most one of c, u1 and u2 is not zero; in
+-- the others within 2^-49 of the greatest of c, a = w\/2 u1 and b = h\/2 u2.
 --
--- With e = 2^-53, r0 is wrong by e |a + b| at most, c + r0 by e |c + r0|, the sum with a by e |c - b|, and the one with b by e |c|: together 8 e of the greatest, and the second order.
+-- With e = 2^-53, r0 is wrong by e |a + b| at most, c + r0 by e |c + r0|, the sum with a by e |c - b|, and the one with
+-- b by e |c|: together 8 e of the greatest, and the second order.
 middleIsTheCentre :: Seen -> Property
 middleIsTheCentre seen@(Seen cam port _) = counterexample (show (p, c, a, b)) (and (sameWhere <$> p <*> c <*> a <*> b))
   where
@@ -172,14 +174,16 @@ anglesAreTheCameras seen@(Seen c v _) =
 -------------------------------------------------------------------------------
 -- Points of a pixel
 
--- | A point that is some way along a pixel's ray is seen at the pixel's place, and in front of the eye; the one as far behind the eye is behind it.
+-- | A point that is some way along a pixel's ray is seen at the pixel's place, and in front of the eye; the one as far
+-- behind the eye is behind it.
 --
--- A row of the matrix is a vector product of two of u1, u2, k, by the determinant, which is the same number in all three and goes out of the quotients. A product's
--- error is a few eps of its factors' lengths, which are at most kappa times the product's own: kappa = |k| / near is how much longer the
--- way to the picture's corner is than the way to its plane, and so 1 by the least sine between u1 or u2 and k. The pixel's place in
--- space is the corner and shares of u1 and u2, each no longer than kappa near, so its error is a few eps of kappa times its own length and the eye's; a point
--- that is so many times as far away has as many times that error. All in all less than 32 roundings in a row, of |row| times all
--- these lengths; the other row's count as often as the place says.
+-- A row of the matrix is a vector product of two of u1, u2, k, by the determinant, which is the same number in all
+-- three and goes out of the quotients. A product's error is a few eps of its factors' lengths, which are at most kappa
+-- times the product's own: kappa = |k| / near is how much longer the way to the picture's corner is than the way to its
+-- plane, and so 1 by the least sine between u1 or u2 and k. The pixel's place in space is the corner and shares of u1
+-- and u2, each no longer than kappa near, so its error is a few eps of kappa times its own length and the eye's; a
+-- point that is so many times as far away has as many times that error. All in all less than 32 roundings in a row, of
+-- |row| times all these lengths; the other row's count as often as the place says.
 projectionIsTheWayBack :: Seen -> Property
 projectionIsTheWayBack seen@(Seen c _ (x, y)) = forAll ((2 **) <$> choose (0, 10)) $ \far ->
   let v = seenView seen

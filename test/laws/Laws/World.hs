@@ -4,8 +4,8 @@
 -- Module      : Laws.World
 -- Description : What is true of worlds with an index, and with models
 --
--- The index must not be seen: the second opinion is a plain list of shapes, every one of which is tried. And a model somewhere is the same as its shapes there, each
--- transformed by itself.
+-- The index must not be seen: the second opinion is a plain list of shapes, every one of which is tried. And a model
+-- somewhere is the same as its shapes there, each transformed by itself.
 module Laws.World
   ( -- * Many shapes
     Many (..),
@@ -274,8 +274,9 @@ instance Arbitrary Modelled where
 finishOf :: Material -> Finish Texture
 finishOf = withPictures (const Nothing) . finish
 
--- | The shapes of a scene with models, each with the number of its material: the scene's own; then those of each model, transformed. Within a model, solids come first, and then the
--- triangles of its meshes and the shapes of its models, in the order of the file.
+-- | The shapes of a scene with models, each with the number of its material: the scene's own; then those of each model,
+-- transformed. Within a model, solids come first, and then the triangles of its meshes and the shapes of its models, in
+-- the order of the file.
 shapesOf :: Scene -> Library Texture -> [(Shape, Int)]
 shapesOf scene library = [(primitiveShape p, material) | p <- scenePrimitives scene, (material, m) <- zip [0 ..] (sceneMaterials scene), materialName m == primitiveMaterial p] ++ concatMap placed (libraryInstances library)
   where
@@ -316,7 +317,8 @@ obstaclesAreAsOfShapes (Modelled scene library r _) = obstaclesAreAll (world mem
 surroundingsAreAsOfShapes :: Modelled -> Property
 surroundingsAreAsOfShapes (Modelled scene library _ p) = surroundingsAreAll (world mempty library scene) (map fst (shapesOf scene library)) p
 
--- | The picture of a scene with models is that of its shapes, with light and without: the same colour in each pixel, to the bit, and as many rays.
+-- | The picture of a scene with models is that of its shapes, with light and without: the same colour in each pixel, to
+-- the bit, and as many rays.
 picturesAreAsOfShapes :: Modelled -> Property
 picturesAreAsOfShapes (Modelled lit library _ _) = forAll arbitrary $ \isLit ->
   let scene = if isLit then lit else Shade.setAlgorithm NoLight lit
@@ -326,7 +328,8 @@ picturesAreAsOfShapes (Modelled lit library _ _) = forAll arbitrary $ \isLit ->
   where
     told (Sampled c (Work rays _ cut)) = (c, rays, cut)
 
--- | What a ray sees in a scene with models is what the plain recursion of "Laws.Shade" sees of its shapes, but for the order of sums.
+-- | What a ray sees in a scene with models is what the plain recursion of "Laws.Shade" sees of its shapes, but for the
+-- order of sums.
 coloursAreAsOfTheRecursion :: Modelled -> Property
 coloursAreAsOfTheRecursion (Modelled scene library r0 _) = case maybe (unlit s far r) (\terms -> radiance s terms far r) (stageTerms s) of
   Seen c rays _ cut -> Shade.within 1e-12 (channels c) expected .&&. (rays, cut) === (followed + shadows, cut')
@@ -372,11 +375,13 @@ noWayOutOfTheWorld (Enclosed mesh r) = forAll aTransform $ \t ->
       w = worldOfMesh mesh t
    in isJust (metIn w carried' (1 / 0)) .&&. obstaclesOpaque (obstacles w carried' (1 / 0)) === True
 
--- | The normal and the texture coordinates of a smooth mesh that is scaled, turned and moved are interpolated between those of the corners, in the world: the corners are carried by
--- the matrix M, and the normals by its cofactors, which are its inverse transposed, up to a factor; a point's weights are the areas of the triangles across from the corners.
+-- | The normal and the texture coordinates of a smooth mesh that is scaled, turned and moved are interpolated between
+-- those of the corners, in the world: the corners are carried by the matrix M, and the normals by its cofactors, which
+-- are its inverse transposed, up to a factor; a point's weights are the areas of the triangles across from the corners.
 --
--- The weights are off by some thirty roundings of the coordinates, over the altitude of the triangle; here coordinates are at most 2^7 times as large. The cofactors magnify errors by the ratio of the
--- factors' squares, at most 2^8. Altogether less than 2^-53 2^5 2^7 2^8 = 2^-33.
+-- The weights are off by some thirty roundings of the coordinates, over the altitude of the triangle; here coordinates
+-- are at most 2^7 times as large. The cofactors magnify errors by the ratio of the factors' squares, at most 2^8.
+-- Altogether less than 2^-53 2^5 2^7 2^8 = 2^-33.
 smoothNormalsAreInterpolated :: Property
 smoothNormalsAreInterpolated = forAll ((,) <$> roundMesh <*> aTransform) $ \(mesh, t) -> forAll (rayInto mesh t) $ \r ->
   let w = worldOfMesh mesh t

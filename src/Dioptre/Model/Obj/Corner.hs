@@ -28,7 +28,8 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Dioptre.Model.Words (byteAt, digit, isBlank, isDigit, minus, plus, slash)
 
--- | What a corner says: where it ends; the numbers of its vertex, texture coordinate and normal as written, 0 for what it has not; and which of the last two it has.
+-- | What a corner says: where it ends; the numbers of its vertex, texture coordinate and normal as written, 0 for what
+-- it has not; and which of the last two it has.
 data Corner
   = Corner {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Parts
 
@@ -64,7 +65,8 @@ cornerAt bytes from
 -- | Where an integer ends, and its value. It ends where it begins if there is none.
 data Index = Index {-# UNPACK #-} !Int {-# UNPACK #-} !Int
 
--- | The integer, with or without a sign, at a place of a line. From 2^31 - 1 on it may come out as any number from there on: no vector of a mesh is as long.
+-- | The integer, with or without a sign, at a place of a line. From 2^31 - 1 on it may come out as any number from
+-- there on: no vector of a mesh is as long.
 indexAt :: ByteString -> Int -> Index
 indexAt bytes from = digits start 0
   where
@@ -78,7 +80,8 @@ indexAt bytes from = digits start 0
       | i == start = Index from 0
       | otherwise = Index i (if isNegative then negate m else m)
 
--- | Where the thing of that number is, counted from 0, where there are so many of them: 1 is the first one, and -1 the last.
+-- | Where the thing of that number is, counted from 0, where there are so many of them: 1 is the first one, and -1 the
+-- last.
 --
 -- Spec: models.obj.indices.
 place :: Int -> Int -> Int

@@ -8,8 +8,9 @@
 --
 -- > f 1 2 3     f 1/4 2/5 3/6     f 1//7 2//8 3//9     f 1/4/7 2/5/8 3/6/9
 --
--- A face is a polygon of three corners or more, all written with the same parts (see "Dioptre.Model.Obj.Corner"). One with a corner that cannot be read, or whose vertex is not there,
--- is left out; one that names a texture coordinate or a normal that is not there goes without, at all its corners.
+-- A face is a polygon of three corners or more, all written with the same parts (see "Dioptre.Model.Obj.Corner"). One
+-- with a corner that cannot be read, or whose vertex is not there, is left out; one that names a texture coordinate or
+-- a normal that is not there goes without, at all its corners.
 module Dioptre.Model.Obj.Faces
   ( Counts (..),
 
@@ -131,7 +132,8 @@ face faults vertices materials fs line@(Line bytes _ _) start = do
     n = Bytes.length bytes
     wrong = increase (facesErrors fs) 1
     faulty i problem = report faults line i (wordFrom bytes i) problem >> wrong
-    -- Where the file has none of them so far, all faces with that fault are told of at once: leaving out its normals is a way to draw a model flat.
+    -- Where the file has none of them so far, all faces with that fault are told of at once: leaving out its normals is
+    -- a way to draw a model flat.
     missing i counter attribute number count
       | count == 0 = tally faults counter line i (wordFrom bytes i)
       | otherwise = report faults line i (wordFrom bytes i) (MissingAttribute attribute number count)

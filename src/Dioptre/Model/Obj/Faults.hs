@@ -4,8 +4,9 @@
 -- Module      : Dioptre.Model.Obj.Faults
 -- Description : What is wrong with an OBJ file, while it is read
 --
--- Faults are found line by line, and told when the file has been read: 'keptInFull' of them each with its place, the others as a number. Faults that a file has in each of its faces
--- are told of at once, as a 'Tally'. The lines that all these places point to are kept for messages. See Note [Places that stay].
+-- Faults are found line by line, and told when the file has been read: 'keptInFull' of them each with its place, the
+-- others as a number. Faults that a file has in each of its faces are told of at once, as a 'Tally'. The lines that all
+-- these places point to are kept for messages. See Note [Places that stay].
 module Dioptre.Model.Obj.Faults
   ( Faults,
     newFaults,
@@ -156,10 +157,11 @@ longestExcerpt = 4096
 excerptOf :: ByteString -> Int -> Int -> Text
 excerptOf bytes from to = characters (Bytes.take (min 200 (to - from)) (Bytes.drop from bytes))
 
--- Note [Places that stay]
--- ~~~~~~~~~~~~~~~~~~~~~~~
--- A message shows the line that it is about, but the file is not kept: it may have a hundred megabytes, and a piece of it that anything refers to stays in memory whole.
--- So a fault copies its line when it is found, and a name its name. There are at most 'keptInFull' faults, one more place for the rest of them, and one for each tally.
+-- Note [Places that stay] ~~~~~~~~~~~~~~~~~~~~~~~ A message shows the line that it is about, but the file is not kept:
+-- it may have a hundred megabytes, and a piece of it that anything refers to stays in memory whole. So a fault copies
+-- its line when it is found, and a name its name. There are at most 'keptInFull' faults, one more place for the rest of
+-- them, and one for each tally.
 --
--- A place in a line is a number of bytes. It becomes a line and a column only here: the line that goes on in others is one line for the
--- reader, and for people several. Columns count characters, which are UTF-8 if the bytes of the line can be, or else Latin-1.
+-- A place in a line is a number of bytes. It becomes a line and a column only here: the line that goes on in others is
+-- one line for the reader, and for people several. Columns count characters, which are UTF-8 if the bytes of the line
+-- can be, or else Latin-1.

@@ -6,7 +6,8 @@
 -- Module      : Dioptre.Model.Obj.Lines
 -- Description : From the pieces of a file to its lines
 --
--- A file comes in pieces, which may end anywhere; what counts is its lines, each with the number of the line that it begins in.
+-- A file comes in pieces, which may end anywhere; what counts is its lines, each with the number of the line that it
+-- begins in.
 --
 -- > "v 1 2 3\r"  "\nf 1 2 \\\n3 4\nus"  "emtl gold"         the pieces
 -- >
@@ -14,10 +15,12 @@
 -- > 2  "f 1 2  3 4"        the second part begins at byte 7
 -- > 4  "usemtl gold"
 --
--- A line ends at LF, CR or CR LF. One whose last character is a backslash goes on in the next line, as one with a blank in the place of the backslash: words do not go on.
--- Comments do not either, as they may well end with the name of a folder. A byte order mark before the first line is passed over.
+-- A line ends at LF, CR or CR LF. One whose last character is a backslash goes on in the next line, as one with a blank
+-- in the place of the backslash: words do not go on. Comments do not either, as they may well end with the name of a
+-- folder. A byte order mark before the first line is passed over.
 --
--- A line that a piece has whole is a part of that piece, and no byte of it is copied. What is kept of the others is bounded, by 'longestLine' and 'mostLines'.
+-- A line that a piece has whole is a part of that piece, and no byte of it is copied. What is kept of the others is
+-- bounded, by 'longestLine' and 'mostLines'.
 module Dioptre.Model.Obj.Lines
   ( Line (..),
 
@@ -45,7 +48,8 @@ import Dioptre.Model.Growing (Counter, current, newCounter, put)
 import Dioptre.Model.Words (backslash, byteAt, hash, isBlank)
 import Dioptre.Source.Text (byteOrderMark)
 
--- | A line: its bytes without the end, the number of its first line, and where in it the further lines begin, if it has any.
+-- | A line: its bytes without the end, the number of its first line, and where in it the further lines begin, if it has
+-- any.
 data Line = Line !ByteString !Int [Int]
 
 -- | A file of which a part has been cut.
@@ -58,15 +62,17 @@ data Lines s = Lines
     linesAfterReturn :: !(Counter s)
   }
 
--- | What is kept of a line whose end is not there yet: its parts, the last one first, and how many bytes they have; how many bytes went before each line that it goes on in
--- (by a backslash), the last one first; the number of its first line.
+-- | What is kept of a line whose end is not there yet: its parts, the last one first, and how many bytes they have; how
+-- many bytes went before each line that it goes on in (by a backslash), the last one first; the number of its first
+-- line.
 data Pending
   = NoLine
   | Pending [ByteString] !Int [Int] !Int
   | -- | It is longer than 'longestLine', and not kept; the number of its first line.
     Overlong !Int
 
--- | No line has more bytes: 2^25, which is a face of some two million corners. Longer ones are passed over, so that a file that is one endless line is not kept.
+-- | No line has more bytes: 2^25, which is a face of some two million corners. Longer ones are passed over, so that a
+-- file that is one endless line is not kept.
 --
 -- Spec: limits.files.
 longestLine :: Int
@@ -80,7 +86,8 @@ mostLines = 1048576
 newLines :: ST s (Lines s)
 newLines = Lines <$> newSTRef NoLine <*> newCounter 1 <*> newCounter 0
 
--- | Goes through a piece, with what is to be done with each line that ends in it, and with the number of each that is too long. Law: how a file is cut into pieces changes nothing.
+-- | Goes through a piece, with what is to be done with each line that ends in it, and with the number of each that is
+-- too long. Law: how a file is cut into pieces changes nothing.
 --
 -- Spec: models.obj.lines.
 feedLines :: (Line -> ST s ()) -> (Int -> ST s ()) -> Lines s -> ByteString -> ST s ()
@@ -92,7 +99,8 @@ feedLines each overlong ls piece
     put (linesAfterReturn ls) 0
     let bytes = if afterReturn == 1 && byteAt piece 0 == newline then Bytes.drop 1 piece else piece
         n = Bytes.length bytes
-        -- The next LF and the next CR, from this place on; the length where there is none. Each byte is looked at once for either.
+        -- The next LF and the next CR, from this place on; the length where there is none. Each byte is looked at once
+        -- for either.
         next c from = maybe n (from +) (Bytes.elemIndex c (unsafeDrop from bytes))
         -- 0 <= from <= n, and neither of the two is before it.
         go !from !lf !cr !line
@@ -131,7 +139,8 @@ keep ls part number = modifySTRef' (linesPending ls) $ \case
       | total > longestLine = Overlong first
       | otherwise = Pending (gathered parts) total breaks first
 
--- | The same parts in fewer: each is at most half as long as the one before it, so that they are few, and a byte is copied as often as there are parts.
+-- | The same parts in fewer: each is at most half as long as the one before it, so that they are few, and a byte is
+-- copied as often as there are parts.
 gathered :: [ByteString] -> [ByteString]
 gathered (b : a : rest) | 2 * Bytes.length b > Bytes.length a = gathered (a <> b : rest)
 gathered parts = parts

@@ -9,7 +9,8 @@
 -- > mtllib house.mtl        materials of house.mtl may be used
 -- > usemtl brick            faces from here on are of the material "brick"
 --
--- An OBJ file only names its materials. Those that faces use are numbered from 0, in the order of first use; what they are is for the libraries to say (see "Dioptre.Model.Mtl").
+-- An OBJ file only names its materials. Those that faces use are numbered from 0, in the order of first use; what they
+-- are is for the libraries to say (see "Dioptre.Model.Mtl").
 module Dioptre.Model.Obj.Materials
   ( Named (..),
     defaultMaterial,

@@ -6,8 +6,9 @@
 --
 -- > v  x y z        vt u [v]        vn x y z
 --
--- Three lists, in which faces look things up by their places from 0. A line that cannot be read takes its place all the same, so that the numbers of the others
--- stay theirs: a vertex is then a bad one, which no face can use, a normal is zero, which is as good as none, and a texture coordinate is (0, 0), which is also what a corner without one has.
+-- Three lists, in which faces look things up by their places from 0. A line that cannot be read takes its place all the
+-- same, so that the numbers of the others stay theirs: a vertex is then a bad one, which no face can use, a normal is
+-- zero, which is as good as none, and a texture coordinate is (0, 0), which is also what a corner without one has.
 module Dioptre.Model.Obj.Vertices
   ( Vertices,
     newVertices,

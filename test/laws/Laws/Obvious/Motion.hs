@@ -2,7 +2,8 @@
 -- Module      : Laws.Obvious.Motion
 -- Description : Lines carried back by transformations, in rational numbers
 --
--- The second implementation of scale, rotation and translation: one turn after the other, undone in the opposite order, with sine and cosine by their power series.
+-- The second implementation of scale, rotation and translation: one turn after the other, undone in the opposite order,
+-- with sine and cosine by their power series.
 module Laws.Obvious.Motion
   ( Line (..),
     lineOf,
@@ -16,7 +17,8 @@ import Dioptre.Math.Transform (Transform, transformRotation, transformScale, tra
 import Laws.Exact
 import Linear.V3 (V3 (..))
 
--- | A ray's line in some frame. The blurs are the sizes of the numbers that were rounded on the way into the frame, by which the program's own line may be off there: times a few 'eps'.
+-- | A ray's line in some frame. The blurs are the sizes of the numbers that were rounded on the way into the frame, by
+-- which the program's own line may be off there: times a few 'eps'.
 data Line = Line
   { lineOrigin :: Exact,
     lineDirection :: Exact,

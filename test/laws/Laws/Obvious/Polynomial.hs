@@ -2,9 +2,10 @@
 -- Module      : Laws.Obvious.Polynomial
 -- Description : Polynomials with rational coefficients, and the exact places of their roots
 --
--- What a line makes of an algebraic surface is a polynomial in the line's parameter. Nothing is rounded here. Roots of polynomials of degree 1 and 2 are numbers u + v sqrt D
--- with rational u, v and D, at which the sign of any other polynomial can be told exactly. Roots of higher degree are told apart by Sturm's theorem, which counts
--- the roots in an interval, and shut in by halving intervals.
+-- What a line makes of an algebraic surface is a polynomial in the line's parameter. Nothing is rounded here. Roots of
+-- polynomials of degree 1 and 2 are numbers u + v sqrt D with rational u, v and D, at which the sign of any other
+-- polynomial can be told exactly. Roots of higher degree are told apart by Sturm's theorem, which counts the roots in
+-- an interval, and shut in by halving intervals.
 module Laws.Obvious.Polynomial
   ( -- * Polynomials
     Polynomial,
@@ -86,7 +87,8 @@ data Place = Place Rational Rational Rational
 placeOf :: Rational -> Place
 placeOf u = Place u 0 0
 
--- | The real roots, ascending, as often as they are; none of the polynomial that is zero. Those of degree three and more are rational numbers within 2^-110 of the exact ones, relatively.
+-- | The real roots, ascending, as often as they are; none of the polynomial that is zero. Those of degree three and
+-- more are rational numbers within 2^-110 of the exact ones, relatively.
 realRoots :: Polynomial -> [Place]
 realRoots p@(Polynomial cs) = case cs of
   [c, b] -> [placeOf (negate c / b)]
@@ -199,7 +201,8 @@ divided a b
   where
     term = polynomial (replicate (degree a - degree b) 0 ++ [leading a / leading b])
 
--- | The roots of a polynomial without multiple ones, each to 2^-110 of itself. (The first interval is halved at 0, so that none has 0 inside.)
+-- | The roots of a polynomial without multiple ones, each to 2^-110 of itself. (The first interval is halved at 0, so
+-- that none has 0 inside.)
 simpleRoots :: Polynomial -> [Rational]
 simpleRoots p = concat (isolated (negate bound) bound (variations (negate bound)) (variations bound))
   where
