@@ -8,7 +8,7 @@
 -- user of the machine, in the list of processes. So the browser is not started with the address, but with a file that
 -- leads there and that only the user may read. (Jupyter does the same.)
 --
--- >  browser ---opens---> /tmp/dioptre-Xy12ab/view.html ---leads to---> http://127.0.0.1:8000/#token=...
+-- >  browser ---opens---> view.html, in a folder of mine ---leads to---> http://127.0.0.1:8000/#token=...
 module Dioptre.Command.Browser
   ( withBrowser,
     opener,

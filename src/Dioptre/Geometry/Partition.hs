@@ -275,7 +275,7 @@ binAt :: Ruler -> Double -> Int
 binAt (Ruler from scale) x = truncate ((x - from) * scale)
 {-# INLINE binAt #-}
 
--- | What is counted. The bins of the coordinates stand one behind the other: see 'slot'.
+-- | What is counted. The bins of the coordinates stand one behind the other: see @slot@.
 data Bins s = Bins
   { -- | How many items there are in each bin.
     binCounts :: !(MutablePrimArray s Int),

@@ -12,6 +12,7 @@ module Dioptre.Scene.Model
   ( Model (..),
     UvFormat (..),
     modelSchema,
+    Draft,
     uvFormatName,
   )
 where
