@@ -11,7 +11,7 @@ from pathlib import Path
 
 import png
 from page import Page
-from program import PROJECT, Program, checked, explained, rendered, until
+from program import ENVIRONMENT, PROJECT, Program, checked, explained, rendered, until
 from selenium.webdriver.common.keys import Keys
 from trial import holds, same
 

@@ -41,6 +41,7 @@ newtype Link = Link Int
 
 -- | A leaf: from that place on, so many items; of either less than 2^31.
 --
+-- >>> import Dioptre.Geometry.Link
 -- >>> placesOf (leafLink 3 4)
 -- (3,7)
 leafLink :: Int -> Int -> Link
@@ -63,6 +64,7 @@ leafAfter n (Link l) = if isLeaf (Link l) then Link (l + (n `shiftL` 32)) else L
 
 -- | A fork: its second part is so many nodes ahead, and its parts lie along that coordinate, 0, 1 or 2 for x, y or z.
 --
+-- >>> import Dioptre.Geometry.Link
 -- >>> (coordinateOf (forkLink 5 2), wordsAhead (forkLink 5 2))
 -- (2,40)
 forkLink :: Int -> Int -> Link
