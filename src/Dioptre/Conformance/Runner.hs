@@ -279,10 +279,12 @@ excerpt bytes = Text.take 200 (Text.decodeUtf8With lenientDecode (Bytes.take 800
 mostAstray :: Int
 mostAstray = 1000
 
--- Note [Whose fault] ~~~~~~~~~~~~~~~~~~ When a port ends, or says nothing for too long, with several requests
--- outstanding, any of them may be why: ports may answer in any order, and answers may have been lost in a buffer. None
--- of them is blamed then. The port is started again and asked these, one at a time; a case that is alone when the port
--- fails fails, and counts as a strike. The others go on, and the window opens again.
+-- Note [Whose fault]
+-- ~~~~~~~~~~~~~~~~~~
+-- When a port ends, or says nothing for too long, with several requests outstanding, any of them may be why: ports may
+-- answer in any order, and answers may have been lost in a buffer. None of them is blamed then. The port is started
+-- again and asked these, one at a time; a case that is alone when the port fails fails, and counts as a strike. The
+-- others go on, and the window opens again.
 --
 -- An answer without an identifier belongs to a request that cannot be told; when there are as many of them as there are
 -- requests outstanding, and nothing more comes for a second, they were the answers to these, which fail. A line that is

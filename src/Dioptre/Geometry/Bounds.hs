@@ -122,12 +122,13 @@ ofLens p1 p2 radius (c1, c2) = case unit (p2 - p1) of
   where
     bulge c = larger (faceDepth radius c) 0
 
--- Note [How much larger] ~~~~~~~~~~~~~~~~~~~~~~ A point of a sphere, as it is computed, is on a sphere whose squared
--- radius is off by the rounding of |w|^2, w being the way from the centre to the ray's origin (Dioptre.Geometry.Sphere,
--- Note [Far spheres]): the radius by 2^-53 (|w| / R)^2 of itself, and the point by 2^-52 |w| more when it is computed
--- from its parameter. For |w| = 2^14 R that is 2^-25 R and 2^-38 R. All other shapes do better. A box that is larger by
--- 2^-20 of its longest edge thus holds every point as it is computed, from up to 2^14 sizes away, and meets a millionth
--- more rays, which costs nothing.
+-- Note [How much larger]
+-- ~~~~~~~~~~~~~~~~~~~~~~
+-- A point of a sphere, as it is computed, is on a sphere whose squared radius is off by the rounding of |w|^2, w being
+-- the way from the centre to the ray's origin (Dioptre.Geometry.Sphere, Note [Far spheres]): the radius by 2^-53 (|w| /
+-- R)^2 of itself, and the point by 2^-52 |w| more when it is computed from its parameter. For |w| = 2^14 R that is
+-- 2^-25 R and 2^-38 R. All other shapes do better. A box that is larger by 2^-20 of its longest edge thus holds every
+-- point as it is computed, from up to 2^14 sizes away, and meets a millionth more rays, which costs nothing.
 --
 -- The second term is for shapes far from the origin of the world: the corners themselves are sums, rounded by 2^-53 of
 -- the coordinates.

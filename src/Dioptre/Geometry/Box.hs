@@ -183,19 +183,22 @@ meets (Approach o i j fx fy fz) face !far
     !bound = far * (1 + slabSlack)
 {-# INLINE meets #-}
 
--- Note [Comparing in pairs] ~~~~~~~~~~~~~~~~~~~~~~~~~ Between the two faces of one coordinate a ray is in an interval
--- of its parameter; it is in the box where all three intervals and [0, far] overlap. The usual program takes the
--- greatest of the entries and the least of the exits, and compares these two: each of the four choices is a branch that
--- goes either way as often as not, and a processor that guesses wrong loses the time of the whole test. Intervals of a
--- line overlap all together if they overlap two by two (Helly's theorem in one dimension), and so the test asks of each
--- entry whether it is beyond each other exit. All of these branches go one way until one of them ends the test.
+-- Note [Comparing in pairs]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~
+-- Between the two faces of one coordinate a ray is in an interval of its parameter; it is in the box where all three
+-- intervals and [0, far] overlap. The usual program takes the greatest of the entries and the least of the exits, and
+-- compares these two: each of the four choices is a branch that goes either way as often as not, and a processor that
+-- guesses wrong loses the time of the whole test. Intervals of a line overlap all together if they overlap two by two
+-- (Helly's theorem in one dimension), and so the test asks of each entry whether it is beyond each other exit. All of
+-- these branches go one way until one of them ends the test.
 --
 -- The entry and the exit of one and the same coordinate need no comparison: the box's corners are in order.
 --
--- Note [Slack of the slabs] ~~~~~~~~~~~~~~~~~~~~~~~~~ The parameter at which a ray crosses a face, (l - o) / d, is
--- computed as (l - o) * (1 / d): three roundings, a relative error of at most 3.01 eps, eps = 2^-53. If the ray is in
--- the box at some t with 0 <= t <= far, then exactly entry_i <= t <= exit_j for all i and j, and t >= 0; and as
--- computed
+-- Note [Slack of the slabs]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~
+-- The parameter at which a ray crosses a face, (l - o) / d, is computed as (l - o) * (1 / d): three roundings, a
+-- relative error of at most 3.01 eps, eps = 2^-53. If the ray is in the box at some t with 0 <= t <= far, then exactly
+-- entry_i <= t <= exit_j for all i and j, and t >= 0; and as computed
 --
 --   entry_i <= max 0 (t (1 + 3.01 eps)),  t (1 - 3.01 eps) <= exit_j.
 --

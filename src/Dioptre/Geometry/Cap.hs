@@ -127,9 +127,11 @@ capNormal centre normal radius c v =
   fromMaybe normal (unit (signum c *^ ((v - centre) + centreDepth radius c *^ vector normal)))
 {-# INLINE capNormal #-}
 
--- Note [Flat caps] ~~~~~~~~~~~~~~~~ Which points of the sphere are on the cap is told by their height h over the disk,
--- h >= 0, or by their distance rho from its axis, rho <= R, but there only before the plane of the centre, h > -m. (Let
--- c > 0; c < 0 is the same upside down.) On the sphere (h + m)^2 + rho^2 = c^2 = m^2 + R^2, that is
+-- Note [Flat caps]
+-- ~~~~~~~~~~~~~~~~
+-- Which points of the sphere are on the cap is told by their height h over the disk, h >= 0, or by their distance rho
+-- from its axis, rho <= R, but there only before the plane of the centre, h > -m. (Let c > 0; c < 0 is the same upside
+-- down.) On the sphere (h + m)^2 + rho^2 = c^2 = m^2 + R^2, that is
 --
 -- > R^2 - rho^2 = h (h + 2 m)
 --
@@ -140,8 +142,9 @@ capNormal centre normal radius c v =
 -- position, would be met anywhere in its plane, or nowhere. The rule changes at |c| = 16 R, where both are good to a
 -- few digits of the last place.
 
--- Note [Near the rim] ~~~~~~~~~~~~~~~~~~~ The ray is first moved to its point nearest to the centre of the disk: then p
--- is no longer than the line's distance from there, and what C loses to rounding is 2^-52 of R^2 and of m <p, n>, no
--- longer of the squared distance from which the ray came. Divided by the gradient, 2 |c|, that is less than 2^-52 R
--- where the line meets the cap. (The sphere of the original's rule has no rim to stay close to; it is left alone so
--- that its pictures stay the same.)
+-- Note [Near the rim]
+-- ~~~~~~~~~~~~~~~~~~~
+-- The ray is first moved to its point nearest to the centre of the disk: then p is no longer than the line's distance
+-- from there, and what C loses to rounding is 2^-52 of R^2 and of m <p, n>, no longer of the squared distance from
+-- which the ray came. Divided by the gradient, 2 |c|, that is less than 2^-52 R where the line meets the cap. (The
+-- sphere of the original's rule has no rim to stay close to; it is left alone so that its pictures stay the same.)

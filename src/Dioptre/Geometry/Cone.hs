@@ -218,17 +218,21 @@ conesParameters point apex radius r =
     wg = cross fromApex g
     dg = cross (direction r) g
 
--- Note [Near the apex] ~~~~~~~~~~~~~~~~~~~~ C is a difference of squares of the size of |w|^2, so it carries an error
--- of some 2^-52 |w|^2. Where the apex is crossed, the two roots are nearly equal, and an error of 2^-52 |w|^2 under the
--- square root moves them by 2^-26 |w|: from a distance of a thousand units an apex would be frayed by a hundred
--- thousandth of a unit, and a ray aimed at it might not find it. With the ray moved by t0 = -<w, d> / <d, d> to its
--- point nearest to the apex, w carries the rounding of a position, 2^-52 of the distance, and |w| is no more than the
--- line's distance from the apex: all errors that follow are relative to that. The parameters are t0 plus the roots, in
--- the order of the roots, since rounding a sum does not reverse an order.
+-- Note [Near the apex]
+-- ~~~~~~~~~~~~~~~~~~~~
+-- C is a difference of squares of the size of |w|^2, so it carries an error of some 2^-52 |w|^2. Where the apex is
+-- crossed, the two roots are nearly equal, and an error of 2^-52 |w|^2 under the square root moves them by 2^-26 |w|:
+-- from a distance of a thousand units an apex would be frayed by a hundred thousandth of a unit, and a ray aimed at it
+-- might not find it. With the ray moved by t0 = -<w, d> / <d, d> to its point nearest to the apex, w carries the
+-- rounding of a position, 2^-52 of the distance, and |w| is no more than the line's distance from the apex: all errors
+-- that follow are relative to that. The parameters are t0 plus the roots, in the order of the roots, since rounding a
+-- sum does not reverse an order.
 
--- Note [Flat cones] ~~~~~~~~~~~~~~~~~ Let rho be the distance from the axis at which a line passes the plane of the
--- apex, and k = R / H large. The line goes through the thin body at about rho from the axis, whatever its inclination,
--- unless that is below 1 / k or so. Its two roots are 2 rho / k |da| apart, and their difference is the root of
+-- Note [Flat cones]
+-- ~~~~~~~~~~~~~~~~~
+-- Let rho be the distance from the axis at which a line passes the plane of the apex, and k = R / H large. The line
+-- goes through the thin body at about rho from the axis, whatever its inclination, unless that is below 1 / k or so.
+-- Its two roots are 2 rho / k |da| apart, and their difference is the root of
 --
 -- > (B^2 - 4 A C) / 4 = |k (a d_perp - da w_perp)|^2 - |w_perp x d_perp|^2
 --
@@ -259,9 +263,11 @@ conesParameters point apex radius r =
 --  there is known, 2^-52 of the distance |far|, times |d| / |da|, which is less than k / 2. The parameters of a cone
 --  that is not flat, or of a line that is not steep, are as they always were, bit for bit.
 
--- Note [Halves] ~~~~~~~~~~~~~ A < 0: B^2 - 4 A C is never negative (a line with that direction must come out of one
--- cone and go into the other, or pass through the apex), but rounding may make it so next to the apex. There are no
--- roots then, the line passes through the apex to rounding, and the slab alone decides: everywhere.
+-- Note [Halves]
+-- ~~~~~~~~~~~~~
+-- A < 0: B^2 - 4 A C is never negative (a line with that direction must come out of one cone and go into the other, or
+-- pass through the apex), but rounding may make it so next to the apex. There are no roots then, the line passes
+-- through the apex to rounding, and the slab alone decides: everywhere.
 --
 -- A = 0: the line is in the cone from its root on where B < 0, and up to it otherwise. The cone that it is in is before
 -- the apex where B and da are of one sign, and where it is not, it shares no more than a rounding with the slab. With B

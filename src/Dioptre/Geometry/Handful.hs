@@ -107,12 +107,13 @@ sphereAt :: Handful -> Int -> (Point -> Double -> a) -> a
 sphereAt h !i ask = ask (V3 (indexPrimArray (centresX h) i) (indexPrimArray (centresY h) i) (indexPrimArray (centresZ h) i)) (indexPrimArray (radiiSquared h) i)
 {-# INLINE sphereAt #-}
 
--- Note [Plain numbers] ~~~~~~~~~~~~~~~~~~~~ A shape in a vector is a pointer to a constructor of some kind. Before GHC
--- 9.0 looks at it, it puts everything that the loop knows on the stack, and takes it back afterwards, since the shape
--- might not be computed yet; then it jumps by the kind. All of that takes as long as a sphere's equation. But spheres
--- are what most small scenes are made of, and they are all alike: their numbers are read from where they stand,
--- coordinate by coordinate, so that one index serves all. Most are missed, which is the first thing that is asked, and
--- the last before the next one's turn.
+-- Note [Plain numbers]
+-- ~~~~~~~~~~~~~~~~~~~~
+-- A shape in a vector is a pointer to a constructor of some kind. Before GHC 9.0 looks at it, it puts everything that
+-- the loop knows on the stack, and takes it back afterwards, since the shape might not be computed yet; then it jumps
+-- by the kind. All of that takes as long as a sphere's equation. But spheres are what most small scenes are made of,
+-- and they are all alike: their numbers are read from where they stand, coordinate by coordinate, so that one index
+-- serves all. Most are missed, which is the first thing that is asked, and the last before the next one's turn.
 --
 -- The loop needs fifteen numbers at once, and a processor has room for sixteen. So the search for what is closest is a
 -- function of its own ('closestInHandful'), which has no other numbers to keep; it gets the numbers of the ray and of

@@ -195,10 +195,12 @@ toNodes faces links = runByteArray $ do
   where
     count = sizeofPrimArray links
 
--- Note [A trail instead of a stack] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ A ray that comes to a fork visits the near part
--- now and the far part later. The usual program recurses, or keeps the far parts on a stack. In Haskell the recursion
--- is not free: a local function that calls itself other than last becomes a closure, which holds all that it uses,
--- thirty numbers here, and is built anew for every ray. What calls itself last only is a loop in registers.
+-- Note [A trail instead of a stack]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- A ray that comes to a fork visits the near part now and the far part later. The usual program recurses, or keeps the
+-- far parts on a stack. In Haskell the recursion is not free: a local function that calls itself other than last
+-- becomes a closure, which holds all that it uses, thirty numbers here, and is built anew for every ray. What calls
+-- itself last only is a loop in registers.
 --
 -- So what is still to be done is kept in one word: for each fork above the node, from the nearest on, a bit that says
 -- whether its other part is still to be visited. Entering a fork shifts a 1 in; when a part is done, the way leads up

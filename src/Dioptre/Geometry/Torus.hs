@@ -194,13 +194,15 @@ torusContains p n major minor v = sqrt (across * across + h * h) < (1 - roundThi
     h = dot (vector n) w
     across = modulus (w - h *^ vector n) - major
 
--- Note [From where to measure] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~ The roots move by the rounding of the coefficients, divided
--- by the slope of the polynomial. With s measured from the ray's origin at a distance D, in units of about R + r, the
--- constant coefficient is about D^4, its rounding 2^-53 D^4, and the slope at a root, where the other three roots are,
--- is about 1: at D = 1000 an error of 10^-4, which shows, and at 10^4 nothing is left. Measured from the point q
--- nearest to the centre, all coefficients are at most 100 or so, wherever the ray comes from: a line that passes
--- through the sphere around the torus has |q| <= R + r. Only q itself carries the rounding of the origin, 2^-53 D in
--- each coordinate, as does every point that is computed as o + t d. The cubic term vanishes, too.
+-- Note [From where to measure]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- The roots move by the rounding of the coefficients, divided by the slope of the polynomial. With s measured from the
+-- ray's origin at a distance D, in units of about R + r, the constant coefficient is about D^4, its rounding 2^-53 D^4,
+-- and the slope at a root, where the other three roots are, is about 1: at D = 1000 an error of 10^-4, which shows, and
+-- at 10^4 nothing is left. Measured from the point q nearest to the centre, all coefficients are at most 100 or so,
+-- wherever the ray comes from: a line that passes through the sphere around the torus has |q| <= R + r. Only q itself
+-- carries the rounding of the origin, 2^-53 D in each coordinate, as does every point that is computed as o + t d. The
+-- cubic term vanishes, too.
 --
 -- Orthogonality is not exact: <q, u> is what rounding leaves, 2^-53 D or less. To leave out the terms with <q, u> is to
 -- shift the point along the ray by that much, no more than the rounding of q itself. So is |u|^2 - 1.

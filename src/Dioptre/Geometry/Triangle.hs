@@ -204,10 +204,12 @@ interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
   fromMaybe flat (unit ((1 - t1 - t2) *^ vector n0 + t1 *^ vector n1 + t2 *^ vector n2))
 {-# INLINE interpolatedNormal #-}
 
--- Note [Watertight] ~~~~~~~~~~~~~~~~~ The corners are moved so that the ray starts at the origin, turned so that its
--- direction's largest component is z, and sheared so that the direction is the z axis itself: x' = x - (dx/dz) z, y' =
--- y - (dy/dz) z. Now the ray passes through the triangle where the origin of the plane (x', y') lies in the triangle's
--- shadow, that is where the three edge functions have one sign.
+-- Note [Watertight]
+-- ~~~~~~~~~~~~~~~~~
+-- The corners are moved so that the ray starts at the origin, turned so that its direction's largest component is z,
+-- and sheared so that the direction is the z axis itself: x' = x - (dx/dz) z, y' = y - (dy/dz) z. Now the ray passes
+-- through the triangle where the origin of the plane (x', y') lies in the triangle's shadow, that is where the three
+-- edge functions have one sign.
 --
 -- Each corner's shadow is computed from the corner and the ray alone: it is rounded, but it is the same rounded point
 -- for every triangle around that corner, so that the shadows of a closed mesh are a closed mesh, a few ulps away. The
@@ -216,13 +218,14 @@ interpolatedNormal flat (Corners n0 n1 n2) (t1, t2) =
 -- scalar triple product <d, a x b> is antisymmetric too, and needs no shear; but near a corner its error is that of the
 -- distance to the corner, not of its shadow's size, and three signs at one corner need not fit together.)
 
--- Note [Needles] ~~~~~~~~~~~~~~ D is |s1|^2 |s2|^2 times the squared sine of the angle between the edges, and is
--- computed as a difference of numbers of the size of |s1|^2 |s2|^2, so that it carries an error of some 2^-52 of that.
--- At a sine of 2^-10 the coordinates still have 2^-30 of themselves; at 2^-26 the difference is noise, or 0, while
--- 'triangle' takes sines down to 'collinearSine'. The components of n = s1 x s2 are differences too, but of the sine
--- itself, not its square: their error is 2^-52 in a sine. By <s1,s1><s2,s2> - <s1,s2>^2 = <n, n> and (a x b) . (c x d)
--- = <a,c><b,d> - <a,d><b,c> the two ways are the same in exact arithmetic, and whatever w has along n counts in
--- neither.
+-- Note [Needles]
+-- ~~~~~~~~~~~~~~
+-- D is |s1|^2 |s2|^2 times the squared sine of the angle between the edges, and is computed as a difference of numbers
+-- of the size of |s1|^2 |s2|^2, so that it carries an error of some 2^-52 of that. At a sine of 2^-10 the coordinates
+-- still have 2^-30 of themselves; at 2^-26 the difference is noise, or 0, while 'triangle' takes sines down to
+-- 'collinearSine'. The components of n = s1 x s2 are differences too, but of the sine itself, not its square: their
+-- error is 2^-52 in a sine. By <s1,s1><s2,s2> - <s1,s2>^2 = <n, n> and (a x b) . (c x d) = <a,c><b,d> - <a,d><b,c> the
+-- two ways are the same in exact arithmetic, and whatever w has along n counts in neither.
 --
 -- D is of the fourth degree in the size of the triangle, and leaves the range of binary64 for edges above 10^77, which
 -- a scene may have. The powers of two that bring the three vectors near 1 change no digit, and come back by one

@@ -152,6 +152,8 @@ statement r line@(Line bytes _ _)
       | word `Bytes.isPrefixOf` Bytes.drop start bytes && endsAt (start + Bytes.length word) = Just (blanksFrom bytes (start + Bytes.length word))
       | otherwise = Nothing
 
--- Note [Before its face] ~~~~~~~~~~~~~~~~~~~~~~ A face may use what stands before it in the file, and nothing behind:
--- with that, a triangle is looked at once, and a fault is told with its line. Files with the faces first would need
--- their text to be kept, or their faces to be gone through again.
+-- Note [Before its face]
+-- ~~~~~~~~~~~~~~~~~~~~~~
+-- A face may use what stands before it in the file, and nothing behind: with that, a triangle is looked at once, and a
+-- fault is told with its line. Files with the faces first would need their text to be kept, or their faces to be gone
+-- through again.

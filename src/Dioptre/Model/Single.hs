@@ -155,11 +155,13 @@ zero = 48
 smallE = 101
 largeE = 69
 
--- Note [Two roundings] ~~~~~~~~~~~~~~~~~~~~ The decimal is x = m 10^e with m an integer of at most 18 digits. Rounded
--- to a double, m is off by at most u = 2^-53 of itself, so is the power of ten, and so is their product or quotient y:
--- altogether y = x (1 + d) with |d| < 3.1 u. Rounding y to a single would round a second time, and could end one unit
--- away from the right one: 1.000000059604644775390626 is above the middle between 1 and its next single, but its
--- nearest double is the middle, which goes to 1.
+-- Note [Two roundings]
+-- ~~~~~~~~~~~~~~~~~~~~
+-- The decimal is x = m 10^e with m an integer of at most 18 digits. Rounded to a double, m is off by at most u = 2^-53
+-- of itself, so is the power of ten, and so is their product or quotient y: altogether y = x (1 + d) with |d| < 3.1 u.
+-- Rounding y to a single would round a second time, and could end one unit away from the right one:
+-- 1.000000059604644775390626 is above the middle between 1 and its next single, but its nearest double is the middle,
+-- which goes to 1.
 --
 -- Rounding is monotone, so it is enough to round both ends of an interval around x: where they agree, so does x. With
 -- the margin 2^-50 = 8 u, the ends y (1 - 8 u) and y (1 + 8 u), each computed with one more rounding u, still have x
@@ -170,8 +172,10 @@ largeE = 69
 -- fewer bits, and those that are too large are rounded by the processor as by the standard, and the argument holds for
 -- them too.
 
--- Note [Enough digits] ~~~~~~~~~~~~~~~~~~~~ A word may be a million digits long. The middle between two singles is M
--- 2^-150 with M < 2^25, or an integer; that is M 5^150 / 10^150, which has at most 113 significant digits (and an
--- integer below 2^129 has 39). So the first 200 digits, with a digit 1 after them if anything but zeros follows, lie on
--- the same side of every middle as the whole number does. Of a number 0.ddd times ten to the k the singles end at k =
--- 39 (10^38 < 2^128 < 10^39), and halves of the smallest one, 2^-150 > 10^-46, at k = -45.
+-- Note [Enough digits]
+-- ~~~~~~~~~~~~~~~~~~~~
+-- A word may be a million digits long. The middle between two singles is M 2^-150 with M < 2^25, or an integer; that is
+-- M 5^150 / 10^150, which has at most 113 significant digits (and an integer below 2^129 has 39). So the first 200
+-- digits, with a digit 1 after them if anything but zeros follows, lie on the same side of every middle as the whole
+-- number does. Of a number 0.ddd times ten to the k the singles end at k = 39 (10^38 < 2^128 < 10^39), and halves of
+-- the smallest one, 2^-150 > 10^-46, at k = -45.

@@ -96,8 +96,10 @@ hash = 35
 backslash :: Word8
 backslash = 92
 
--- Note [Bytes without boxes] ~~~~~~~~~~~~~~~~~~~~~~~~~~ 'Data.ByteString.Unsafe.unsafeIndex' as compiled by GHC 9.0
--- keeps the string alive around the reading of a byte with a primitive that the optimiser does not see through: each
--- byte costs a closure and a box, 40 bytes, and half the time of reading a model. Here the string is touched after the
--- byte has been read, which is enough where reading cannot fail to return. Reading a byte of a string, which never
--- changes, has no effect that anyone could see, so that it may be called a function.
+-- Note [Bytes without boxes]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- 'Data.ByteString.Unsafe.unsafeIndex' as compiled by GHC 9.0 keeps the string alive around the reading of a byte with
+-- a primitive that the optimiser does not see through: each byte costs a closure and a box, 40 bytes, and half the time
+-- of reading a model. Here the string is touched after the byte has been read, which is enough where reading cannot
+-- fail to return. Reading a byte of a string, which never changes, has no effect that anyone could see, so that it may
+-- be called a function.

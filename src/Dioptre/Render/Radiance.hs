@@ -134,8 +134,10 @@ through w f !i (Pending r depth wr wg wb index) !at !outward !normal !rest
       Just v' -> Pending (ray p v') (depth + 1) r' g' b' beyond `Then` rest
 {-# NOINLINE through #-}
 
--- Note [Rays as a stack] ~~~~~~~~~~~~~~~~~~~~~~ Unrolled, the recursion is a sum over all paths of the direct light at
--- the path's end, weighted by the product of the coefficients on the way. The loop keeps the rays that remain on a
--- stack, with their weights, and adds to one total: it takes no Haskell stack however deep the mirrors are, and it can
--- count. Depth first, reflection before refraction, so that it is known which rays are the first mostRays. The sum is
--- the same as the recursive one up to rounding in binary64, which disappears in the byte.
+-- Note [Rays as a stack]
+-- ~~~~~~~~~~~~~~~~~~~~~~
+-- Unrolled, the recursion is a sum over all paths of the direct light at the path's end, weighted by the product of the
+-- coefficients on the way. The loop keeps the rays that remain on a stack, with their weights, and adds to one total:
+-- it takes no Haskell stack however deep the mirrors are, and it can count. Depth first, reflection before refraction,
+-- so that it is known which rays are the first mostRays. The sum is the same as the recursive one up to rounding in
+-- binary64, which disappears in the byte.

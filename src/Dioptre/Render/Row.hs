@@ -244,7 +244,8 @@ sampled tracer v see x y
         !(!dx, !dy) = offset tracer (viewWidth v) x y k
 {-# INLINE sampled #-}
 
--- Note [Pixels made once] ~~~~~~~~~~~~~~~~~~~~~~~ Without light a ray sees one colour on the whole of a shape, the
--- diffuse one, unless a picture stands in for it. So all pixels there can be are known beforehand, one for each shape
--- and one for the background; a row only asks what is met first, and copies four bytes. By colours, each would be
--- capped and rounded to bytes again for every pixel.
+-- Note [Pixels made once]
+-- ~~~~~~~~~~~~~~~~~~~~~~~
+-- Without light a ray sees one colour on the whole of a shape, the diffuse one, unless a picture stands in for it. So
+-- all pixels there can be are known beforehand, one for each shape and one for the background; a row only asks what is
+-- met first, and copies four bytes. By colours, each would be capped and rounded to bytes again for every pixel.

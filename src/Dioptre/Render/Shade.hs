@@ -124,12 +124,14 @@ pictured (Colours ambient' diffuse' specular' shininess) a d s uv = Colours (at 
     at plain = maybe plain (`texel` uv)
 {-# NOINLINE pictured #-}
 
--- Note [Numbers that travel] ~~~~~~~~~~~~~~~~~~~~~~~~~~ A ray, a point, a normal and the colours of a surface are some
--- thirty numbers, which go from one function to the next a hundred million times for a picture. GHC hands a record over
--- as its numbers, without making it, if the function surely looks into it, and if that makes no more arguments than
--- -fmax-worker-args says. It says 10, which is less than the colours of a surface (13), or a few shapes, a ray and a
--- bound (14); here it says 40. In the same way what a function makes is handed back as numbers: Seen
--- ("Dioptre.Render.Radiance"), Lit and Transmittance are never in memory.
+-- Note [Numbers that travel]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- A ray, a point, a normal and the colours of a surface are some thirty numbers, which go from one function to the next
+-- a hundred million times for a picture. GHC hands a record over as its numbers, without making it, if the function
+-- surely looks into it, and if that makes no more arguments than -fmax-worker-args says. It says 10, which is less than
+-- the colours of a surface (13), or a few shapes, a ray and a bound (14); here it says 40. In the same way what a
+-- function makes is handed back as numbers: Seen ("Dioptre.Render.Radiance"), Lit and Transmittance are never in
+-- memory.
 --
 -- Three things follow for what is here. Records are unpacked into each other down to the numbers. What is not to be
 -- taken apart is no record: a 'World' has two constructors, and stays one pointer. And whatever is looked into is

@@ -40,10 +40,12 @@ shortestDigits x
     readsBack n = fromRational (fromInteger (n * step)) == x
     digitsOf n = let text = show (n * step) in (map digitToInt (dropWhileEnd (== '0') text), length text)
 
--- Note [Middles] ~~~~~~~~~~~~~~ 'floatToDigits' does not take the middles in: 1e23 lies in the middle between
--- 99999999999999991611392 and a number that ends in a 1, reads back as the former, and is written 9.999999999999999e22.
--- With a middle fewer digits do only if it has fewer itself. At most one of the decimals of n - 1 digits around x can
--- be one: a shorter one between the middles would have been found.
+-- Note [Middles]
+-- ~~~~~~~~~~~~~~
+-- 'floatToDigits' does not take the middles in: 1e23 lies in the middle between 99999999999999991611392 and a number
+-- that ends in a 1, reads back as the former, and is written 9.999999999999999e22. With a middle fewer digits do only
+-- if it has fewer itself. At most one of the decimals of n - 1 digits around x can be one: a shorter one between the
+-- middles would have been found.
 --
 -- Few middles are so short. One is M 2^k with M odd and of 54 or 55 bits. Of at most 16 digits, it is N 10^j with N
 -- below 10^16. Where j is at least 0, 5^j divides M, which makes j at most 23 and the middle less than 10^39. Where k

@@ -148,9 +148,10 @@ decimal whole fraction e
     magnitude = toInteger (Text.length significant - Text.length fraction) + e
     power = magnitude - toInteger (Text.length kept)
 
--- Note [Bounded digits] ~~~~~~~~~~~~~~~~~~~~~ A token may be a million digits long, and reading those exactly would
--- take a million squared steps. A double's decision boundary (half way between two neighbours) has at most 767
--- significant digits, so the first 800 digits, with one digit 1 after them if anything that is not zero follows, lie on
--- the same side of every boundary as the whole number does. The rest is rational arithmetic on at most 801 digits,
--- which rounds once. An exponent is cut to eight digits, beyond which the number is zero or too large whatever its
--- digits (a token has fewer than 10^8 of them).
+-- Note [Bounded digits]
+-- ~~~~~~~~~~~~~~~~~~~~~
+-- A token may be a million digits long, and reading those exactly would take a million squared steps. A double's
+-- decision boundary (half way between two neighbours) has at most 767 significant digits, so the first 800 digits, with
+-- one digit 1 after them if anything that is not zero follows, lie on the same side of every boundary as the whole
+-- number does. The rest is rational arithmetic on at most 801 digits, which rounds once. An exponent is cut to eight
+-- digits, beyond which the number is zero or too large whatever its digits (a token has fewer than 10^8 of them).

@@ -157,10 +157,11 @@ longestExcerpt = 4096
 excerptOf :: ByteString -> Int -> Int -> Text
 excerptOf bytes from to = characters (Bytes.take (min 200 (to - from)) (Bytes.drop from bytes))
 
--- Note [Places that stay] ~~~~~~~~~~~~~~~~~~~~~~~ A message shows the line that it is about, but the file is not kept:
--- it may have a hundred megabytes, and a piece of it that anything refers to stays in memory whole. So a fault copies
--- its line when it is found, and a name its name. There are at most 'keptInFull' faults, one more place for the rest of
--- them, and one for each tally.
+-- Note [Places that stay]
+-- ~~~~~~~~~~~~~~~~~~~~~~~
+-- A message shows the line that it is about, but the file is not kept: it may have a hundred megabytes, and a piece of
+-- it that anything refers to stays in memory whole. So a fault copies its line when it is found, and a name its name.
+-- There are at most 'keptInFull' faults, one more place for the rest of them, and one for each tally.
 --
 -- A place in a line is a number of bytes. It becomes a line and a column only here: the line that goes on in others is
 -- one line for the reader, and for people several. Columns count characters, which are UTF-8 if the bytes of the line

@@ -123,9 +123,10 @@ meshOf vertices ts = do
     <*> settledOrNone (trianglesCornerUvs ts)
     <*> settled (trianglesFinishes ts)
 
--- Note [Not on one line] ~~~~~~~~~~~~~~~~~~~~~~ 'triangle' takes the edges' directions (two square roots, six
--- divisions) before it compares the sine of their angle with 2^-50. Most triangles are nowhere near that. With the
--- edges e1 and e2, |e1 x e2|^2 > 2^-80 |e1|^2 |e2|^2 says that the sine is above 2^-40; what rounding does to either
--- side (some 2^-51 of the edges' lengths in e1 x e2) is far too small to bring it below 2^-50. Only where that is not
--- so is 'triangle' asked. Coordinates are singles: edges that are not zero have lengths from 2^-149 to 2^130, so that
--- nothing overflows or vanishes on the way.
+-- Note [Not on one line]
+-- ~~~~~~~~~~~~~~~~~~~~~~
+-- 'triangle' takes the edges' directions (two square roots, six divisions) before it compares the sine of their angle
+-- with 2^-50. Most triangles are nowhere near that. With the edges e1 and e2, |e1 x e2|^2 > 2^-80 |e1|^2 |e2|^2 says
+-- that the sine is above 2^-40; what rounding does to either side (some 2^-51 of the edges' lengths in e1 x e2) is far
+-- too small to bring it below 2^-50. Only where that is not so is 'triangle' asked. Coordinates are singles: edges that
+-- are not zero have lengths from 2^-149 to 2^130, so that nothing overflows or vanishes on the way.
