@@ -111,4 +111,4 @@ sphereContains c radiusSquared p = distance c p < (1 - surfaceThickness) * sqrt 
 -- of |w|^2 itself, an absolute error of 2^-52 |w|^2 or so: seen from a distance
 
 -- | w|, the sphere's radius is known to 2^-53 |w|^2 / R. At a distance of a thousand radii that is 10^-10 R, far below a
---  pixel; it is the rule of the original, kept as it is so that pictures stay the same.
+-- pixel; it is the rule of the original, kept as it is so that pictures stay the same.
