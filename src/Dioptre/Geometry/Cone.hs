@@ -257,11 +257,10 @@ conesParameters point apex radius r =
 -- the apex, and is what 'half' takes: the first for da > 0, where the line is in the cone up to it, and the second
 -- otherwise. As H vanishes, D does, the roots become +-rho / |da|, and the line is met where rho <= R: a disk.
 --
--- At both limits the two ways agree to their rounding: for k = 32, 2^-54 k^2 is 2^-44; and for |k da| = 2 |d|, q |d| /
-
--- | da| = 1/2, the numbers of both are of one size. The point moved to is as far from the apex as the line's height
--- there is known, 2^-52 of the distance |far|, times |d| / |da|, which is less than k / 2. The parameters of a cone
--- that is not flat, or of a line that is not steep, are as they always were, bit for bit.
+-- At both limits the two ways agree to their rounding: for k = 32, 2^-54 k^2 is 2^-44; and for |k da| = 2 |d|,
+-- q |d| / |da| = 1/2, the numbers of both are of one size. The point moved to is as far from the apex as the
+-- line's height there is known, 2^-52 of the distance |far|, times |d| / |da|, which is less than k / 2. The
+-- parameters of a cone that is not flat, or of a line that is not steep, are as they always were, bit for bit.
 
 -- Note [Halves]
 -- ~~~~~~~~~~~~~

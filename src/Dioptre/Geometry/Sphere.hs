@@ -106,9 +106,8 @@ sphereContains c radiusSquared p = distance c p < (1 - surfaceThickness) * sqrt 
 
 -- Note [Far spheres]
 -- ~~~~~~~~~~~~~~~~~~
--- C0 = |w|^2 - R^2 cancels when the origin is near the surface, and B^2 - 4 A C0 when the line is near a tangent. The
--- second is computed exactly enough by quadraticRoots, for the coefficients that it is given. The first is the rounding
--- of |w|^2 itself, an absolute error of 2^-52 |w|^2 or so: seen from a distance
-
--- | w|, the sphere's radius is known to 2^-53 |w|^2 / R. At a distance of a thousand radii that is 10^-10 R, far below a
--- pixel; it is the rule of the original, kept as it is so that pictures stay the same.
+-- C0 = |w|^2 - R^2 cancels when the origin is near the surface, and B^2 - 4 A C0 when the line is near a tangent.
+-- The second is computed exactly enough by quadraticRoots, for the coefficients that it is given. The first is
+-- the rounding of |w|^2 itself, an absolute error of 2^-52 |w|^2 or so: seen from a distance |w|, the sphere's
+-- radius is known to 2^-53 |w|^2 / R. At a distance of a thousand radii that is 10^-10 R, far below a pixel; it
+-- is the rule of the original, kept as it is so that pictures stay the same.
