@@ -258,8 +258,8 @@ lensContains p1 s l radius c1 c2 v =
 -- ~~~~~~~~~~~~
 -- On a line, the dome is a half-line, <p + t d, q> <= -m, together with the interval between the roots of the sphere.
 -- In the bar it is convex. So where both ends of the bar's interval are on the half-line, all of it is in the dome.
--- Where only one is, the plane <p, q> = -m is crossed within the bar, at a distance from the centre C of at most R <=
--- |c|, which is in the sphere: the dome lasts from that end to the far root. Where neither is, it is the interval
+-- Where only one is, the plane <p, q> = -m is crossed within the bar, at a distance from the centre C of at most
+-- R <= |c|, which is in the sphere: the dome lasts from that end to the far root. Where neither is, it is the interval
 -- between the roots. If there are no roots, the line is in no sphere, and is on the half-line or not.
 --
 -- What the roots are on the other half of the sphere, below C, is therefore never asked: they may lie in the bar, as at
