@@ -9,6 +9,8 @@ export class SceneText {
   constructor({ tell, isOpen, changed }) {
     Object.assign(this, { tell, isOpen, changed });
     Object.assign(this, { page: null, file: "", canSave: false, mostBytes: Infinity });
+    // The version of the text that stands in the editor, or in which is typed there.
+    this.version = 1;
     Object.assign(this, { text: "", isSaved: true, isInConflict: false, isFirst: true, sent: null, isUnsent: false, tooLong: null });
     this.editor = new Editor({
       typed: () => this.showSaved(),
@@ -29,7 +31,7 @@ export class SceneText {
     this.isUnsent = this.tooLong !== null || !this.isOpen();
     // A text that is there already would not be answered.
     if (!this.isUnsent && (this.sent ?? this.text) !== text) {
-      this.tell({ type: "edit", text });
+      this.tell({ type: "edit", version: this.version, text });
       this.sent = text;
     }
     this.changed();
@@ -41,21 +43,24 @@ export class SceneText {
   }
 
   /** The text on the desk. The page's own typing stays as it is; other texts replace it, but what was typed here and has not yet arrived there wins. */
-  take({ text, saved, conflict, by, page }) {
+  take({ version, text, saved, conflict, by, page }) {
     const isOwn = by === "page" && page === this.page;
     const isWaiting = this.sent !== null && this.sent !== text;
     Object.assign(this, { text, isSaved: saved, isInConflict: conflict === true });
     if (this.isFirst) {
       const isTyped = this.isUnsent || this.editor.isPending || this.sent !== null;
       this.isFirst = false;
+      this.version = version;
       this.sent = null;
       if (!isTyped) this.editor.replace(text);
       else if (!this.editor.isPending) this.send();
       return;
     }
+    const isFree = !this.editor.isPending && !this.isUnsent;
+    if (isOwn || isFree) this.version = version;
     if (isOwn && isWaiting) return;
     this.sent = null;
-    if (!this.editor.isPending && !this.isUnsent) this.editor.replace(text);
+    if (isFree) this.editor.replace(text);
   }
 
   /** Says whether the file has it. */

@@ -114,9 +114,9 @@ listen scene page replies question connection = forever $ do
   case ask bytes of
     Left reason -> refuse Nothing (NotUnderstood reason)
     Right asked -> case asked of
-      Edit text
+      Edit version text
         | Bytes.length (Text.encodeUtf8 text) > longestText -> refuse Nothing TooMuchText
-        | otherwise -> change (typed page text)
+        | otherwise -> change (typed page version text)
       Explain number column row -> do
         -- A newer question ends an older one.
         readIORef question >>= mapM_ cancel

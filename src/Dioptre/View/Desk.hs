@@ -70,6 +70,8 @@ data Desk = Desk
     deskBy :: !By,
     -- | The text that the file has, as far as is known.
     deskDisk :: !(Maybe Text),
+    -- | With which version the file's text was last taken over.
+    deskTaken :: !Int,
     -- | Whether the file changed while there was unsaved typing.
     deskConflict :: !Bool,
     -- | How often one of the other files may have changed that the scene is made of.
@@ -134,6 +136,7 @@ newDesk l hasFile unwatched text =
       deskVersion = 1,
       deskBy = Disk,
       deskDisk = if hasFile then Just text else Nothing,
+      deskTaken = 1,
       deskConflict = False,
       deskChanges = 0,
       deskLanguage = l,
@@ -162,15 +165,18 @@ withText by text desk
   | text == deskText desk = desk
   | otherwise = desk {deskText = text, deskVersion = deskVersion desk + 1, deskBy = by, deskConflict = deskConflict desk && deskDisk desk /= Just text}
 
--- | Somebody typed on a page.
-typed :: Int -> Text -> Desk -> Desk
-typed page = withText (Page page)
+-- | Somebody typed on a page, in the text of a version. If the file's text was taken over since, as that happened to cross
+-- the typing, the two are in conflict.
+typed :: Int -> Int -> Text -> Desk -> Desk
+typed page version text desk = edited {deskConflict = deskConflict edited || (version < deskTaken desk && not (isSaved edited))}
+  where
+    edited = withText (Page page) text desk
 
 -- | The file has this text now. Unsaved typing stays, and is in conflict with it.
 foundOnDisk :: Text -> Desk -> Desk
 foundOnDisk text desk
   | deskDisk desk == Just text = desk
-  | isSaved desk || text == deskText desk = (withText Disk text desk) {deskDisk = Just text, deskConflict = False}
+  | isSaved desk || text == deskText desk = taken text desk
   | otherwise = desk {deskDisk = Just text, deskConflict = True}
 
 -- | Another file that the scene is made of may have changed.
@@ -181,7 +187,13 @@ filesChanged desk = desk {deskChanges = deskChanges desk + 1}
 takenFromDisk :: Desk -> Desk
 takenFromDisk desk = case deskDisk desk of
   Nothing -> desk
-  Just text -> (withText Disk text desk) {deskConflict = False}
+  Just text -> taken text desk
+
+-- | The text is that of the file, which is this one.
+taken :: Text -> Desk -> Desk
+taken text desk
+  | text == deskText desk = desk {deskDisk = Just text, deskConflict = False}
+  | otherwise = let desk' = withText Disk text desk in desk' {deskDisk = Just text, deskTaken = deskVersion desk', deskConflict = False}
 
 -- | This text was written to the file.
 savedToDisk :: Text -> Desk -> Desk

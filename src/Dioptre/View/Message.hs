@@ -136,8 +136,8 @@ rowHeader = Builder.word32LE . fromIntegral
 
 -- | What a page asks for.
 data Ask
-  = -- | This is the text now.
-    Edit Text
+  = -- | This is the text now, typed in that of a version.
+    Edit Int Text
   | -- | The story of the pixel at a column and row, for the question of that number.
     Explain Int Int Int
   | -- | Another language.
@@ -160,7 +160,7 @@ ask bytes = eitherDecodeStrict' bytes >>= parseEither (withObject "message" pars
     parser o = do
       kind <- o .: "type"
       case kind :: Text of
-        "edit" -> Edit <$> o .: "text"
+        "edit" -> Edit <$> o .: "version" <*> o .: "text"
         "explain" -> Explain <$> o .: "id" <*> o .: "column" <*> o .: "row"
         "language" -> o .: "language" >>= named
         "save" -> Save . fromMaybe False <$> o .:? "overwrite"

@@ -36,10 +36,13 @@ spec = do
 
   describe "the file" $ do
     it "is taken over where nothing was typed" $ deskText (foundOnDisk "b" desk) `shouldBe` "b"
-    it "does not replace what was typed" $ (typed 1 "c" desk & foundOnDisk "b" & \d -> (deskText d, deskConflict d)) `shouldBe` ("c", True)
-    it "is taken over on demand" $ (typed 1 "c" desk & foundOnDisk "b" & takenFromDisk & \d -> (deskText d, deskConflict d, isSaved d)) `shouldBe` ("b", False, True)
-    it "is what was saved" $ (typed 1 "c" desk & savedToDisk "c" & \d -> (isSaved d, deskConflict d)) `shouldBe` (True, False)
-    it "is no news after it was saved" $ (typed 1 "c" desk & savedToDisk "c" & foundOnDisk "c" & deskVersion) `shouldBe` 2
+    it "does not replace what was typed" $ (typed 1 1 "c" desk & foundOnDisk "b" & \d -> (deskText d, deskConflict d)) `shouldBe` ("c", True)
+    it "is taken over on demand" $ (typed 1 1 "c" desk & foundOnDisk "b" & takenFromDisk & \d -> (deskText d, deskConflict d, isSaved d)) `shouldBe` ("b", False, True)
+    it "is what was saved" $ (typed 1 1 "c" desk & savedToDisk "c" & \d -> (isSaved d, deskConflict d)) `shouldBe` (True, False)
+    it "is in conflict with what was typed before it was seen" $ (foundOnDisk "b" desk & typed 1 1 "c" & \d -> (deskText d, deskConflict d)) `shouldBe` ("c", True)
+    it "is not with what was typed in it" $ (foundOnDisk "b" desk & typed 1 2 "c" & \d -> (deskText d, deskConflict d)) `shouldBe` ("c", False)
+    it "is not where the same was typed" $ (foundOnDisk "b" desk & typed 1 1 "b" & deskConflict) `shouldBe` False
+    it "is no news after it was saved" $ (typed 1 1 "c" desk & savedToDisk "c" & foundOnDisk "c" & deskVersion) `shouldBe` 2
 
   describe "after any changes" $ do
     prop "versions count the texts" . forAll changes $ \cs ->
@@ -53,6 +56,10 @@ spec = do
     prop "nobody's typing is lost to the file" . forAll changes $ \cs ->
       let desks = zip (scanl (&) (entered desk) (map change cs)) cs
        in conjoin [deskText (change c d) === deskText d | (d, c@(OnDisk _)) <- desks, not (isSaved d)]
+    prop "no text of the file is passed over in silence by who has not seen it" . forAll changes $ \cs ->
+      let desks = scanl (&) (entered desk) (map change cs)
+          versions = [deskVersion a | (a, b) <- zip desks (drop 1 desks), deskVersion b == deskVersion a + 1, deskBy b == Disk]
+       in conjoin [counterexample (show v) (deskConflict (typed 1 v "d" (last desks))) | v <- versions]
     prop "what is in conflict is not saved" . forAll changes $ \cs ->
       let d = foldl (&) (entered desk) (map change cs) in counterexample (show (deskDisk d, deskText d)) (not (deskConflict d && isSaved d))
   where
@@ -64,12 +71,12 @@ faulty :: [(Source, [Diagnostic])]
 faulty = let source = fromText "scene.txt" "sphre" in [(source, snd (checkScene (parse source)))]
 
 -- | Something that happens.
-data Change = Typed Text | OnDisk Text | OtherFile | Taken | Saved | Anyway | Looked Bool
+data Change = Typed Int Text | OnDisk Text | OtherFile | Taken | Saved | Anyway | Looked Bool
   deriving stock (Show)
 
 change :: Change -> Desk -> Desk
 change c d = case c of
-  Typed t -> typed 1 t d
+  Typed ago t -> typed 1 (deskVersion d - ago) t d
   OnDisk t -> foundOnDisk t d
   OtherFile -> filesChanged d
   Taken -> takenFromDisk d
@@ -78,6 +85,6 @@ change c d = case c of
   Looked bad -> maybe d (\job -> checked job (if bad then faulty else []) Map.empty (if bad then Just (TooLarge 1) else Nothing) d) (jobOf d)
 
 changes :: Gen [Change]
-changes = listOf (oneof [Typed <$> text, OnDisk <$> text, pure OtherFile, pure Taken, pure Saved, pure Anyway, Looked <$> arbitrary])
+changes = listOf (oneof [Typed <$> chooseInt (0, 3) <*> text, OnDisk <$> text, pure OtherFile, pure Taken, pure Saved, pure Anyway, Looked <$> arbitrary])
   where
     text = elements ["a", "b", "c"]

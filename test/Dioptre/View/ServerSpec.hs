@@ -292,7 +292,7 @@ say :: WebSockets.Connection -> [(Json.Key, Value)] -> IO ()
 say c = WebSockets.sendTextData c . Json.encode . object
 
 edit :: Text -> [(Json.Key, Value)]
-edit text = ["type" .= ("edit" :: Text), "text" .= text]
+edit text = ["type" .= ("edit" :: Text), "version" .= (1 :: Int), "text" .= text]
 
 -- | The next message of a type; what comes before is passed over.
 await :: WebSockets.Connection -> Text -> IO Value

@@ -67,11 +67,11 @@ spec = do
         put "u.png" green
         viewing textured $ \viewer -> do
           first <- follows viewer textured Nothing
-          atomically (modifyTVar' (viewerTable viewer) (typed 1 other))
+          atomically (modifyTVar' (viewerTable viewer) (typed 1 1 other))
           second <- follows viewer other (Just first)
           put "u.png" blue
           third <- follows viewer other (Just second)
-          atomically (modifyTVar' (viewerTable viewer) (typed 1 textured))
+          atomically (modifyTVar' (viewerTable viewer) (typed 1 1 textured))
           void (follows viewer textured (Just third))
 
   it "a file that is written in many pieces is not drawn for each, and one that nobody names is not drawn for" . inFolder $ do
