@@ -83,7 +83,10 @@ complaint l known arguments line =
         long = [rest | n <- "--help" : concat options, Just rest <- [stripPrefix "--" n]]
         named = lookup name [(n, all') | all' <- options, n <- all']
         isOption a = "-" `isPrefixOf` a
-        unwordsOr = foldr1 (\a b -> a <> " (" <> b <> ")") . reverse . filter (not . null)
+        -- The longest name comes last: --output (-o).
+        unwordsOr all' = unwords (take 1 long' <> map (\other -> "(" <> other <> ")") (drop 1 long'))
+          where
+            long' = reverse all'
 
     badArgument argument = case (word, command) of
       (Just w, Nothing)
