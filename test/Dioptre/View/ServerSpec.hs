@@ -23,6 +23,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Dioptre.Explain.Json (storyJson)
+import Dioptre.Files.Contents (contents)
 import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Load (loadSource, loadedPlan, storyAt)
 import qualified Dioptre.Picture.Png as Png
@@ -175,7 +176,7 @@ spec = do
       void (await c "done")
       Bytes.writeFile path (Text.encodeUtf8 (Text.replace "\n" "\r\n" (small <> "# 2\n")))
       awaitSuch c "scene" ((== Just (small <> "# 2\n")) . textAt "text")
-      say c (edit other)
+      say c (editOf 2 other)
       say c ["type" .= ("save" :: Text)]
       awaitSuch c "scene" (\m -> valueAt "saved" m == Just (Bool True) && textAt "text" m == Just other)
       Bytes.readFile path >>= (`shouldBe` Text.encodeUtf8 (Text.replace "\n" "\r\n" other))
@@ -233,7 +234,7 @@ viewed text act = withSystemTempDirectory "dioptre-view" $ \folder -> do
     Nothing -> fail "took a minute"
 
 write :: FilePath -> Text -> IO ()
-write path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= either (fail . show) pure
+write path text = writeWhole path (contents (Lazy.fromStrict (Text.encodeUtf8 text))) >>= either (fail . show) pure
 
 -- | The file that render writes for a text.
 pictureOf :: FilePath -> Text -> IO Lazy.ByteString
@@ -291,8 +292,12 @@ talking viewer = WebSockets.runClientWith "127.0.0.1" (portOf viewer) (Char8.unp
 say :: WebSockets.Connection -> [(Json.Key, Value)] -> IO ()
 say c = WebSockets.sendTextData c . Json.encode . object
 
+-- | A text typed in that of the first version, which is the file's as it was at the beginning.
 edit :: Text -> [(Json.Key, Value)]
-edit text = ["type" .= ("edit" :: Text), "version" .= (1 :: Int), "text" .= text]
+edit = editOf 1
+
+editOf :: Int -> Text -> [(Json.Key, Value)]
+editOf version text = ["type" .= ("edit" :: Text), "version" .= version, "text" .= text]
 
 -- | The next message of a type; what comes before is passed over.
 await :: WebSockets.Connection -> Text -> IO Value
