@@ -88,6 +88,7 @@ import qualified Dioptre.Picture.TextureFileSpec
 import qualified Dioptre.Picture.VettingSpec
 import qualified Dioptre.PictureSpec
 import qualified Dioptre.Render.DifferentialSpec
+import qualified Dioptre.Render.ParallelSpec
 import qualified Dioptre.Render.RowSpec
 import qualified Dioptre.Render.SamplingSpec
 import qualified Dioptre.Render.ShadeSpec
@@ -227,6 +228,7 @@ specs = do
   describe "Dioptre.Picture.Vetting" Dioptre.Picture.VettingSpec.spec
   describe "Dioptre.Picture" Dioptre.PictureSpec.spec
   describe "Dioptre.Render.Differential" Dioptre.Render.DifferentialSpec.spec
+  describe "Dioptre.Render.Parallel" Dioptre.Render.ParallelSpec.spec
   describe "Dioptre.Render.Row" Dioptre.Render.RowSpec.spec
   describe "Dioptre.Render.Sampling" Dioptre.Render.SamplingSpec.spec
   describe "Dioptre.Render.Shade" Dioptre.Render.ShadeSpec.spec

@@ -30,6 +30,7 @@ import Dioptre.Command.Heard (heard, inFolder)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (readConfiguration, run)
+import Dioptre.Files.Contents (contents)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Whole (readWhole, writeWhole)
 import Dioptre.Files.Wording (fileFault)
@@ -65,7 +66,7 @@ spec = do
     it "a file that finds no more room on the way stays as it was" . inFolder $ do
       writeFile "p.png" "old"
       code' <- inProcess . withoutRoom 5000 $ do
-        result <- writeWhole "p.png" (Lazy8.replicate 100000 'x')
+        result <- writeWhole "p.png" (contents (Lazy8.replicate 100000 'x'))
         pure (if result == Right () then ExitFailure 1 else ExitSuccess)
       code' `shouldBe` Just ExitSuccess
       readFile "p.png" `shouldReturn` "old"
@@ -93,7 +94,7 @@ spec = do
       code' `shouldBe` Just ExitSuccess
       map (`fileFault` FileFault "s.txt" TooManyOpen) [English, French] `shouldBe` ["s.txt: too many files are open", "s.txt\xA0: trop de fichiers sont ouverts"]
     it "a full device is told as such" $
-      writeWhole "/dev/full" "x" `shouldReturn` Left (FileFault "/dev/full" DiskFull)
+      writeWhole "/dev/full" (contents "x") `shouldReturn` Left (FileFault "/dev/full" DiskFull)
     it "a read-only folder is told, and exit code 3" . inFolder $ do
       Text.writeFile "s.txt" (noisy 4)
       setFileMode "s.txt" 0o644
@@ -109,7 +110,7 @@ spec = do
       writeFile "p.png" "old"
       child <- forked $ do
         rest <- unsafeInterleaveIO (Lazy.empty <$ (writeFile "begun" "" >> threadDelay 60000000))
-        void (writeWhole "p.png" (Lazy8.replicate 300000 'x' <> rest))
+        void (writeWhole "p.png" (contents (Lazy8.replicate 300000 'x' <> rest)))
       within10 (waitFor "begun")
       signalProcess sigKILL child
       void (within10 (getProcessStatus True False child))
@@ -134,7 +135,7 @@ spec = do
         child <- forked $ do
           heedSignals [sigTERM, sigHUP]
           rest <- unsafeInterleaveIO (Lazy.empty <$ (writeFile "begun" "" >> threadDelay 60000000))
-          outcome <- try (writeWhole "p.png" (Lazy8.replicate 300000 'x' <> rest))
+          outcome <- try (writeWhole "p.png" (contents (Lazy8.replicate 300000 'x' <> rest)))
           either (\(EndedBy s) -> dieOf s) (const (exitImmediately ExitSuccess)) outcome
         within10 (waitFor "begun")
         signalProcess signal child

@@ -16,7 +16,7 @@ module Dioptre.Command.New
 where
 
 import Control.Exception (bracketOnError, tryJust)
-import Control.Monad (guard)
+import Control.Monad (guard, void)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (isAlphaNum, isAscii, isControl, toLower)
@@ -26,6 +26,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault)
+import Dioptre.Files.Contents (contents)
 import Dioptre.Files.Descriptor (createExclusively)
 import Dioptre.Files.Fault (orFault)
 import Dioptre.Files.Temporary (withTemporary)
@@ -56,7 +57,7 @@ new journal name
     -- The name is claimed first, by an empty file, which then gives way to the whole one at once.
     written =
       bracketOnError (createExclusively path) (const (removeLink path)) . const $
-        withTemporary (takeDirectory path) Nothing (Lazy.fromStrict (Text.encodeUtf8 (starterNamed path (starter l)))) (`renameFile` path)
+        void (withTemporary (takeDirectory path) Nothing (contents (Lazy.fromStrict (Text.encodeUtf8 (starterNamed path (starter l))))) (`renameFile` path))
 
 -- | The scene, commented in a language.
 starter :: Language -> Text

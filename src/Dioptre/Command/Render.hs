@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE TupleSections #-}
 
 -- |
 -- Module      : Dioptre.Command.Render
@@ -14,13 +15,14 @@ module Dioptre.Command.Render
 where
 
 import Control.Exception (evaluate)
+import Data.Bifunctor (bimap, first)
 import Data.Char (toLower)
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText)
-import Dioptre.Command.Trace (sayCut, timed, traced)
+import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Identity (sameFile)
@@ -28,7 +30,6 @@ import Dioptre.Files.Number (PictureNumber, numberingObstacle, writeNumbered)
 import Dioptre.Files.Whole (writeWhole, writingObstacle)
 import Dioptre.Files.Wording (fileFault, numberingFault)
 import Dioptre.Load (Loaded (..), loadScene, loadedFiles)
-import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
 import Dioptre.Render.Row (Plan, plan, planExtent, planWithin, window)
 import Dioptre.Render.World (Extent (..))
@@ -88,11 +89,10 @@ render journal options = do
     l = journalLanguage journal
     drawn reading scene planned = do
       (indexing, size) <- timed (evaluate (planExtent planned))
-      (tracing, (image, tally)) <- timed (traced journal planned)
-      (writing, outcome) <- timed (write scene image)
+      (drawing, outcome) <- timed (write scene (traced journal planned))
       case outcome of
         Left fault -> ExitFailure 3 <$ sayFault journal fault
-        Right path -> do
+        Right (path, Traced tally tracing) -> do
           mapM_ (sayText journal . misnomer l) (falseEnding options)
           sayCut journal tally
           sayText journal $
@@ -104,15 +104,15 @@ render journal options = do
                 inLanguage l ", tracing " ", tracé ",
                 seconds tracing,
                 inLanguage l ", writing " ", écriture ",
-                seconds writing
+                seconds (drawing - tracing)
               ]
           Text.putStrLn (Text.pack path)
           pure ExitSuccess
     write scene image = case optionOutput options of
-      ToFile path -> either (Left . fileFault l) (const (Right path)) <$> writeWhole path (encode image)
+      ToFile path -> bimap (fileFault l) (path,) <$> writeWhole path image
       Numbered from ->
-        either (Left . numberingFault l) (Right . fst)
-          <$> writeNumbered "." (viewportImage (sceneViewport scene)) from (encode image)
+        bimap (numberingFault l) (first fst)
+          <$> writeNumbered "." (viewportImage (sceneViewport scene)) from image
 
 -- | The scene with the options' size and sampling, and its plan; or what is wrong with the options.
 --

@@ -28,9 +28,10 @@ import Dioptre.Command.Browser (opener)
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayDiagnostics, sayFault, sayText, written)
-import Dioptre.Command.Trace (sayCut, timed, traced)
+import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
 import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
+import Dioptre.Files.Contents (Contents, contents)
 import Dioptre.Files.Counter (replaceCounter)
 import Dioptre.Files.Fault (FileFault (..), Reason (DoesNotExist))
 import Dioptre.Files.Identity (sameFile)
@@ -39,7 +40,7 @@ import Dioptre.Files.Search (search)
 import Dioptre.Files.Whole (readPlain, writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
 import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedFiles, loadedPlan)
-import Dioptre.Picture (Difference (Equal), Picture, difference)
+import Dioptre.Picture (Difference (Equal), difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render (Tally (..))
 import Dioptre.Render.Row (planExtent)
@@ -125,7 +126,7 @@ writeDefaultScene journal = do
 
 -- | Writes a text, whole. A failure is told, and is exit code 3.
 whole :: Journal -> FilePath -> Text -> IO ExitCode
-whole journal path text = writeWhole path (Lazy.fromStrict (Text.encodeUtf8 text)) >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
+whole journal path text = writeWhole path (contents (Lazy.fromStrict (Text.encodeUtf8 text))) >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
 
 -- | The same, but not over a file that was read, by whatever path.
 --
@@ -165,8 +166,7 @@ draw journal inputs configuration = withSource journal inputs configuration $ \(
       let planned = loadedPlan loaded
       (indexing, size) <- timed (evaluate (planExtent planned))
       sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
-      (tracing, (image, tally)) <- timed (traced journal planned)
-      leave journal inputs configuration (loadedScene loaded) image tracing tally
+      leave journal inputs configuration (loadedScene loaded) (traced journal planned)
 
 -- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is
 -- closed. What it leaves is the first picture that is finished: of the scene as it was changed, if somebody changed it
@@ -198,7 +198,8 @@ framed journal inputs configuration = withSource journal inputs configuration $ 
         sayText journal (extent l (planExtent (framePlan shown)))
         progress <- readTVarIO (frameProgress shown)
         image <- framePicture shown
-        code <- leave journal inputs configuration (loadedScene loaded) image (progressSeconds progress) (progressTally progress)
+        code <- leave journal inputs configuration (loadedScene loaded) $ \put ->
+          Traced (progressTally progress) (progressSeconds progress) <$ contents (encode image) put
         code <$ awaitDeparture viewer
   where
     l = journalLanguage journal
@@ -214,16 +215,16 @@ sayScene journal loaded end = do
     l = journalLanguage journal
     primitives = length (scenePrimitives (loadedScene loaded))
 
--- | Leaves what an application leaves of a picture that took some seconds: the picture, its number, and the scene.
-leave :: Journal -> Inputs -> Configuration -> Scene -> Picture -> Double -> Tally -> IO ExitCode
-leave journal inputs configuration scene image tracing tally = do
-  sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> inLanguage l ": " "\xA0: " <> statistics l (tallyRays tally) (tallyTests tally))
-  sayCut journal tally
-  (writing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) (encode image))
+-- | Leaves what an application leaves of a scene and its picture: the picture, its number, and the scene.
+leave :: Journal -> Inputs -> Configuration -> Scene -> Contents Traced -> IO ExitCode
+leave journal inputs configuration scene image = do
+  (drawing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) image)
   case outcome of
     Left fault -> failed journal (numberingFault l fault)
-    Right (path, used) -> do
-      sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds writing)
+    Right ((path, used), Traced tally tracing) -> do
+      sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> inLanguage l ": " "\xA0: " <> statistics l (tallyRays tally) (tallyTests tally))
+      sayCut journal tally
+      sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds (drawing - tracing))
       Text.putStrLn (Text.pack path)
       hFlush stdout
       worse <$> count journal (next used) <*> saved journal inputs (Text.unpack (configurationWrite configuration)) (writeScene scene)
@@ -260,7 +261,7 @@ firstNumber = fromMaybe minBound . pictureNumber . configurationImageCount
 count :: Journal -> PictureNumber -> IO ExitCode
 count journal following =
   readPlain configurationFile
-    >>= either (pure . Left) (writeWhole configurationFile . Lazy.fromStrict . replaceCounter following)
+    >>= either (pure . Left) (writeWhole configurationFile . contents . Lazy.fromStrict . replaceCounter following)
     >>= either (failed journal . fileFault (journalLanguage journal)) (const (pure ExitSuccess))
 
 -- | Compares the pairs of a list, prints how each differs, and writes the list back. Exit code 1 if any does.

@@ -5,30 +5,48 @@
 -- Description : Tracing a picture while a person waits
 --
 -- What @render@ and the run without arguments share: all processors at work, a bar that shows how far they are, how
--- long it took, and a warning where rays were left out.
+-- long it took, and a warning where rays were left out. A picture goes to its file row by row, so that any that may be
+-- asked for fits into memory.
 module Dioptre.Command.Trace
-  ( traced,
+  ( Traced (..),
+    traced,
     timed,
     sayCut,
   )
 where
 
 import Control.Monad (when)
+import Data.IORef (modifyIORef', newIORef, readIORef)
 import qualified Data.Text as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayText, withProgress)
-import Dioptre.Picture (Picture)
-import Dioptre.Render (Tally (..), renderWith)
-import Dioptre.Render.Row (Plan, planHeight)
+import Dioptre.Files.Contents (Contents)
+import Dioptre.Picture.Png (encodeRows)
+import Dioptre.Render (Tally (..), renderRows)
+import Dioptre.Render.Row (Plan, Row (..), planHeight, planWidth)
 import Dioptre.Scene.Raytracer (mostRays)
 import Dioptre.Source.Language (inLanguage)
 import GHC.Clock (getMonotonicTime)
 import GHC.Conc (getNumCapabilities)
 
--- | The picture of a plan by all processors, with a bar that shows how far it is.
-traced :: Journal -> Plan -> IO (Picture, Tally)
-traced journal planned = do
-  workers <- getNumCapabilities
-  withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) $ \done -> renderWith workers done planned
+-- | What tracing a picture took, and for how many seconds.
+data Traced = Traced {tracedTally :: !Tally, tracedSeconds :: !Double}
+
+-- | The file of a plan's picture, traced by all processors, with a bar that shows how far it is.
+--
+-- Workers write as they trace (see "Dioptre.Render.Parallel"). What the writing takes them is told apart: of so many
+-- workers, each spent one part of that, and the rest of the time tracing.
+traced :: Journal -> Plan -> Contents Traced
+traced journal planned put = do
+  workers <- min (planHeight planned) <$> getNumCapabilities
+  written <- newIORef 0
+  let row receive done _ r = do
+        (spent, ()) <- timed (receive (rowBytes r))
+        modifyIORef' written (+ spent)
+        done
+      rows receive = withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) (renderRows workers planned . row receive)
+  (seconds, tally) <- timed (encodeRows (planWidth planned) (planHeight planned) rows put)
+  spent <- readIORef written
+  pure (Traced tally (seconds - spent / fromIntegral workers))
 
 -- | How long some work took, in seconds.
 timed :: IO a -> IO (Double, a)

@@ -46,6 +46,7 @@ import Data.Char (isControl)
 import Data.Either (isRight)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Dioptre.Files.Contents (Contents, contents)
 import Dioptre.Files.Descriptor (createExclusively)
 import Dioptre.Files.Fault (FileFault, orFault)
 import Dioptre.Files.Temporary (withTemporary)
@@ -117,15 +118,15 @@ data NumberingFault
     NotWritten FileFault
   deriving stock (Eq, Show)
 
--- | @writeNumbered folder name first bytes@ writes a picture to @folder@ under the first free number from @first@ on,
--- round past 999, and tells its path and that number.
+-- | @writeNumbered folder name first write@ writes a picture to @folder@ under the first free number from @first@ on,
+-- round past 999, and tells its path, that number, and what came of its contents.
 --
 -- Laws: no file that was there is changed; the file appears whole; of several at once, each gets a number of its own;
 -- no temporary stays.
 --
 -- Spec: files.number.
 writeNumbered ::
-  FilePath -> Text -> PictureNumber -> Lazy.ByteString -> IO (Either NumberingFault (FilePath, PictureNumber))
+  FilePath -> Text -> PictureNumber -> Contents a -> IO (Either NumberingFault ((FilePath, PictureNumber), a))
 writeNumbered = writeNumberedBy createLink
 
 -- | What would prevent 'writeNumbered' from writing a picture, as far as can be known before there is one. Everything
@@ -134,9 +135,9 @@ numberingObstacle :: FilePath -> Text -> PictureNumber -> IO (Maybe NumberingFau
 numberingObstacle folder name first
   | not (canName name) = pure (Just (UnusableName name))
   | otherwise =
-    orFault (path first) (withTemporary folder Nothing Lazy.empty (const (pure ()))) >>= \case
+    orFault (path first) (withTemporary folder Nothing (contents Lazy.empty) (const (pure ()))) >>= \case
       Left fault -> pure (Just (NotWritten fault))
-      Right () -> maybe (Just (AllNumbersTaken folder name)) (const Nothing) <$> firstThat (fmap not . doesPathExist . path) (numbersFrom first)
+      Right _ -> maybe (Just (AllNumbersTaken folder name)) (const Nothing) <$> firstThat (fmap not . doesPathExist . path) (numbersFrom first)
   where
     path = numberedPath folder name
 
@@ -149,17 +150,17 @@ writeNumberedBy ::
   FilePath ->
   Text ->
   PictureNumber ->
-  Lazy.ByteString ->
-  IO (Either NumberingFault (FilePath, PictureNumber))
-writeNumberedBy link folder name first bytes
+  Contents a ->
+  IO (Either NumberingFault ((FilePath, PictureNumber), a))
+writeNumberedBy link folder name first write
   | not (canName name) = pure (Left (UnusableName name))
-  | otherwise = settled <$> orFault (path first) (withTemporary folder Nothing bytes settle)
+  | otherwise = settled <$> orFault (path first) (withTemporary folder Nothing write settle)
   where
     path = numberedPath folder name
     settle temporary = firstThat (claim link temporary . path) (numbersFrom first)
     settled (Left fault) = Left (NotWritten fault)
-    settled (Right Nothing) = Left (AllNumbersTaken folder name)
-    settled (Right (Just number)) = Right (path number, number)
+    settled (Right (_, Nothing)) = Left (AllNumbersTaken folder name)
+    settled (Right (written, Just number)) = Right ((path number, number), written)
 
 -- | Whether a picture can have this name, which then leaves neither its folder nor its line.
 canName :: Text -> Bool

@@ -17,8 +17,9 @@ where
 
 import Control.Exception (IOException, bracket, finally, handle)
 import Control.Monad (when)
-import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
+import Dioptre.Files.Contents (Contents)
 import System.IO (hClose, openBinaryTempFileWithDefaultPermissions)
 import System.Posix.Files
   ( accessModes,
@@ -30,18 +31,19 @@ import System.Posix.Files
   )
 import System.Posix.Types (FileMode)
 
--- | @withTemporary folder mode bytes use@ writes @bytes@ to a new file of @folder@ and hands its path, closed, to
--- @use@, which may rename it. Whatever happens, asynchronous exceptions included, no temporary is left afterwards.
+-- | @withTemporary folder mode write use@ makes a new file of @folder@ with these contents, and hands its path, closed,
+-- to @use@, which may rename it; the results are those of the two. Whatever happens, asynchronous exceptions included, no
+-- temporary is left afterwards.
 --
 -- The file has the permissions of any new file (@0666@ less the process's mask), or those of @mode@, from before its
 -- first byte is written: nobody can read in the temporary what they could not read in the file that it replaces.
-withTemporary :: FilePath -> Maybe FileMode -> Lazy.ByteString -> (FilePath -> IO a) -> IO a
-withTemporary folder mode bytes use =
+withTemporary :: FilePath -> Maybe FileMode -> Contents a -> (FilePath -> IO b) -> IO (a, b)
+withTemporary folder mode write use =
   bracket create discard $ \(path, open) -> do
     for_ mode (permit path . intersectFileModes accessModes)
-    Lazy.hPut open bytes
+    written <- write (Bytes.hPut open)
     hClose open
-    use path
+    (,) written <$> use path
   where
     create = openBinaryTempFileWithDefaultPermissions here ".dioptre.tmp"
     here = if null folder then "." else folder

@@ -32,18 +32,19 @@ module Dioptre.Files.Whole
 where
 
 import Control.Exception (bracket, tryJust)
-import Control.Monad (guard, join)
+import Control.Monad (guard, join, void)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (traverse_)
+import Dioptre.Files.Contents (Contents, contents)
 import Dioptre.Files.Descriptor (checkWritable, namedDescriptor)
 import Dioptre.Files.Fault (FileFault (..), Reason (LongerThan, NotAPlainFile), orFault)
 import Dioptre.Files.Temporary (withTemporary)
 import Foreign.C.Error (Errno, eISDIR, eLOOP, errnoToIOError)
 import GHC.IO.Handle.FD (openFileBlocking)
 import System.FilePath (takeDirectory, (</>))
-import System.IO (Handle, IOMode (ReadMode, WriteMode), hClose, hFlush, stdout)
+import System.IO (IOMode (ReadMode, WriteMode), hClose, hFlush, stdout)
 import System.IO.Error (isDoesNotExistError)
 import System.Posix.Files
   ( FileStatus,
@@ -59,7 +60,7 @@ import System.Posix.Files
 import System.Posix.IO (dup, fdToHandle)
 import System.Posix.Types (Fd, FileMode)
 
--- | Writes a file: whole, or not at all.
+-- | Writes a file: whole, or not at all. The result is that of its contents.
 --
 -- A file that was there is replaced and its permissions are kept; its owner becomes who writes, and other hard links
 -- to it keep the old contents. One that may not be written is not replaced, even where its folder would allow that. A
@@ -69,8 +70,8 @@ import System.Posix.Types (Fd, FileMode)
 -- Law: what is written is what 'readWhole' reads.
 --
 -- Spec: files.whole.
-writeWhole :: FilePath -> Lazy.ByteString -> IO (Either FileFault ())
-writeWhole path bytes =
+writeWhole :: FilePath -> Contents a -> IO (Either FileFault a)
+writeWhole path write =
   orFault path $ do
     there <- destination path
     case there of
@@ -81,10 +82,9 @@ writeWhole path bytes =
       Folder -> refuse eISDIR path
       File target mode -> do
         traverse_ (const (checkWritable target)) mode
-        withTemporary (takeDirectory target) mode bytes (`rename` target)
+        fst <$> withTemporary (takeDirectory target) mode write (`rename` target)
   where
-    writeTo :: IO Handle -> IO ()
-    writeTo open = bracket open hClose (`Lazy.hPut` bytes)
+    writeTo open = bracket open hClose (write . Bytes.hPut)
 
 -- | What would prevent 'writeWhole' from writing a file, as far as can be known before there is anything to write: the
 -- folder is not there or takes no new file, or the file may not be written. Everything stays as it is.
@@ -98,7 +98,7 @@ writingObstacle path =
       Folder -> refuse eISDIR path
       File target mode -> do
         traverse_ (const (checkWritable target)) mode
-        withTemporary (takeDirectory target) mode Lazy.empty (const (pure ()))
+        void (withTemporary (takeDirectory target) mode (contents Lazy.empty) (const (pure ())))
 
 -- | Reads a file to its end, at once: the file is closed when this returns. A folder is
 -- 'Dioptre.Files.Fault.IsAFolder'. A named pipe is waited for, and what comes from a pipe or a device, whose end nobody

@@ -7,23 +7,35 @@
 -- The only module that knows JuicyPixels.
 module Dioptre.Picture.Png
   ( encode,
+    encodeRows,
     decode,
     decodeTexture,
   )
 where
 
+import Codec.Compression.Zlib.Internal (CompressStream (..), compressIO, defaultCompressParams, zlibFormat)
 import Codec.Picture (DynamicImage, Image (..), PixelRGBA8, convertRGBA8, decodeBitmap, decodeGif, decodeJpeg, decodePng, encodePng)
+import Codec.Picture.Png.Internal.Type (PngIHdr (PngIHdr), PngImageType (..), PngInterlaceMethod (..), PngRawImage (PngRawImage), iDATSignature, iENDSignature, mkRawChunk)
 import Codec.Picture.Tga (decodeTga)
+import Control.Monad ((<=<))
+import qualified Data.Binary as Binary
 import Data.Bits (testBit)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
+import Data.ByteString.Internal (create)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.IORef (newIORef, readIORef, writeIORef)
 import qualified Data.Vector.Storable as Storable
+import Data.Word (Word8)
+import Dioptre.Files.Contents (Contents)
 import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWidth)
 import Dioptre.Picture.Header (Format (..), formatOf, isTooLarge, mayBeTga, pixelsOf)
 import Dioptre.Picture.Vetting (vetted)
 import Dioptre.Source.Diagnostic (PictureFault (..))
+import Foreign.Marshal.Utils (copyBytes)
+import Foreign.Ptr (plusPtr)
+import Foreign.Storable (poke)
 import System.FilePath (takeExtension)
 
 -- | A picture as a PNG file: 8 bits a channel, with alpha.
@@ -33,6 +45,45 @@ import System.FilePath (takeExtension)
 -- Spec: picture.png.
 encode :: Picture -> Lazy.ByteString
 encode p = encodePng (Image (pictureWidth p) (pictureHeight p) (pictureBytes p) :: Image PixelRGBA8)
+
+-- | The same file for a picture of that width and height that is never whole in memory: its rows are handed over one by
+-- one, from the top, and the file's bytes go on from there, as they come to be. Given the width and the height, what
+-- hands over the rows (as many as there are, four bytes for each of its pixels), and what takes the bytes.
+--
+-- Law: decoding it gives the picture of the rows.
+--
+-- Cost: 256 kB and a row of memory, and no more bytes at once than zlib gives.
+--
+-- Spec: picture.png.
+encodeRows :: Int -> Int -> ((Storable.Vector Word8 -> IO ()) -> IO a) -> Contents a
+encodeRows w h rows put = do
+  put (Lazy.toStrict (Binary.encode (PngRawImage size [])))
+  deflating <- newIORef (compressIO zlibFormat defaultCompressParams)
+  let feed bytes = readIORef deflating >>= supplied bytes >>= writeIORef deflating
+  result <- rows (feed <=< unfiltered)
+  readIORef deflating >>= finished
+  put (chunk iENDSignature Bytes.empty)
+  pure result
+  where
+    size = PngIHdr (fromIntegral w) (fromIntegral h) 8 PngTrueColourWithAlpha 0 0 PngNoInterlace
+    chunk signature bytes = Lazy.toStrict (Binary.encode (mkRawChunk signature (Lazy.fromStrict bytes)))
+    -- zlib asks for bytes, says what it has made of them, and asks again. No bytes mean the end; even then it may ask
+    -- more than once.
+    supplied bytes stream = case stream of
+      CompressInputRequired supply -> supply bytes >>= drained
+      _ -> drained stream
+    drained stream = case stream of
+      CompressOutputAvailable bytes more -> put (chunk iDATSignature bytes) >> more >>= drained
+      _ -> pure stream
+    finished stream = case stream of
+      CompressStreamEnd -> pure ()
+      _ -> supplied Bytes.empty stream >>= finished
+
+-- | A row as PNG has it where no filter is used: a byte 0 goes before it.
+unfiltered :: Storable.Vector Word8 -> IO ByteString
+unfiltered row = create (1 + Storable.length row) $ \target -> do
+  poke target 0
+  Storable.unsafeWith row $ \source -> copyBytes (target `plusPtr` 1) source (Storable.length row)
 
 -- | The picture in a file of any of the formats of "Dioptre.Picture.Header", or why there is none.
 --

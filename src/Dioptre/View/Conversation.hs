@@ -31,6 +31,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Dioptre.Explain.Json (storyJson)
 import Dioptre.Explain.Wording (storyText)
+import Dioptre.Files.Contents (contents)
 import Dioptre.Files.Whole (readWhole, writeWhole)
 import Dioptre.Load (storyAt)
 import Dioptre.Source.Language (Language)
@@ -156,7 +157,7 @@ save scene overwriting
         ends = either (const id) (\bytes -> if Char8.pack "\r\n" `Bytes.isInfixOf` bytes then Text.replace (Text.pack "\n") (Text.pack "\r\n") else id) before
     if (changed || deskConflict desk) && not overwriting
       then pure (Left ChangedMeanwhile)
-      else either (Left . NotSaved) (const (Right (deskText desk))) <$> writeWhole path (Lazy.fromStrict (Text.encodeUtf8 (ends (deskText desk))))
+      else either (Left . NotSaved) (const (Right (deskText desk))) <$> writeWhole path (contents (Lazy.fromStrict (Text.encodeUtf8 (ends (deskText desk)))))
   where
     path = showingPath scene
 

@@ -34,6 +34,7 @@ module Dioptre.View.Frame
 where
 
 import Control.Concurrent.STM (STM, TVar, atomically, modifyTVar', newTVarIO)
+import Control.Monad (void)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.Sequence (Seq, (|>))
@@ -44,9 +45,9 @@ import Data.Word (Word8)
 import Dioptre.Load (Loaded (..), loadedPlan)
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
-import Dioptre.Render (Tally (..), tallyOf)
-import Dioptre.Render.Parallel (inParallel)
-import Dioptre.Render.Row (Plan, Row (..), Sampled (..), colourAt, planHeight, planWidth, row)
+import Dioptre.Render (Tally (..), renderRows, rowsAhead, tallyOf)
+import Dioptre.Render.Parallel (foldInOrder)
+import Dioptre.Render.Row (Plan, Row (..), Sampled (..), colourAt, planHeight, planWidth)
 import Dioptre.Scene (sceneRaytracer)
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Foreign.ForeignPtr (castForeignPtr, withForeignPtr)
@@ -105,7 +106,7 @@ newFrame number version loaded =
     <$> getMonotonicTime
     <*> Mutable.new (4 * planWidth planned * planHeight planned)
     <*> Mutable.new (4 * coarse (planWidth planned) * coarse (planHeight planned))
-    <*> newTVarIO (Progress Seq.empty 0 (Tally 0 0 0) 0 Going)
+    <*> newTVarIO (Progress Seq.empty 0 mempty 0 Going)
   where
     planned = loadedPlan loaded
 
@@ -123,15 +124,17 @@ shownBy n k = min (n - 1) (coarseness * k + coarseness `div` 2)
 -- Law: its picture is the one that "Dioptre.Render" makes of its plan.
 paint :: Int -> STM () -> Frame -> IO ()
 paint workers finish frame = do
-  inParallel workers (coarse (planHeight planned)) (coarseRow frame) $ \k bytes -> do
-    place (frameCoarse frame) k bytes
-    report (pure ()) (\p -> p {progressStrips = progressStrips p |> Coarse k})
-  inParallel workers (planHeight planned) (row planned) $ \y r -> do
-    place (frameFine frame) y (rowBytes r)
-    report (pure ()) (\p -> p {progressStrips = progressStrips p |> Fine y, progressRows = progressRows p + 1, progressTally = progressTally p <> tallyOf r})
+  foldInOrder workers (rowsAhead workers (coarse (planWidth planned))) (coarse (planHeight planned)) (coarseRow frame) (const coarseDone) ()
+  void (renderRows workers planned fineDone)
   report finish (\p -> p {progressEnd = Finished})
   where
     planned = framePlan frame
+    coarseDone k bytes = do
+      place (frameCoarse frame) k bytes
+      report (pure ()) (\p -> p {progressStrips = progressStrips p |> Coarse k})
+    fineDone y r = do
+      place (frameFine frame) y (rowBytes r)
+      report (pure ()) (\p -> p {progressStrips = progressStrips p |> Fine y, progressRows = y + 1, progressTally = progressTally p <> tallyOf r})
     place target k bytes = Storable.copy (Mutable.slice (k * Storable.length bytes) (Storable.length bytes) target) bytes
     report also change = do
       now <- getMonotonicTime

@@ -6,6 +6,7 @@ import Control.Monad (forM, forM_, void)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.List (nub, sort)
 import qualified Data.Text as Text
+import Dioptre.Files.Contents (Contents, contents)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Number
 import Foreign.C.Error (Errno (..), eEXIST, eMLINK, eNOSYS, eNOTSUP, ePERM, errnoToIOError)
@@ -39,17 +40,17 @@ spec = do
       map (pictureFileName (Text.pack "sc\232ne")) (concatMap (take 1 . numbersFrom) [minBound, next minBound, maxBound])
         `shouldBe` ["sc\232ne_000.png", "sc\232ne_001.png", "sc\232ne_999.png"]
 
-  describe "writeNumbered" $ writing writeNumbered
+  describe "writeNumbered" $ writing (bytesBy writeNumbered)
 
   forM_ [ePERM, eNOTSUP, eMLINK, eNOSYS] $ \number@(Errno value) ->
     describe ("writeNumbered where links are refused with error " <> show value) $
-      writing (writeNumberedBy (refusing number))
+      writing (bytesBy (writeNumberedBy (refusing number)))
 
   describe "writeNumberedBy" $
     around (withSystemTempDirectory "number") $ do
       it "does not fall back where the name is taken" $ \folder -> do
         let always = refusing eEXIST
-        writeNumberedBy always folder name minBound (Lazy.pack "new")
+        bytesBy (writeNumberedBy always) folder name minBound (Lazy.pack "new")
           `shouldReturn` Left (AllNumbersTaken folder name)
         listDirectory folder `shouldReturn` []
 
@@ -57,14 +58,20 @@ spec = do
         let refusingOne from to
               | to == folder </> "p_000.png" = refusing ePERM from to
               | otherwise = createLink from to
-        results <- forM "ab" $ \c -> writeNumberedBy refusingOne folder name minBound (Lazy.pack [c])
+        results <- forM "ab" $ \c -> bytesBy (writeNumberedBy refusingOne) folder name minBound (Lazy.pack [c])
         map (fmap snd) results `shouldBe` [Right minBound, Right (next minBound)]
         mapM readFile [folder </> "p_000.png", folder </> "p_001.png"] `shouldReturn` ["a", "b"]
 
       it "removes the temporary when linking is interrupted" $ \folder -> do
-        writeNumberedBy (\_ _ -> throwIO (ErrorCall "stop")) folder name minBound Lazy.empty
+        bytesBy (writeNumberedBy (\_ _ -> throwIO (ErrorCall "stop"))) folder name minBound Lazy.empty
           `shouldThrow` errorCall "stop"
         listDirectory folder `shouldReturn` []
+
+-- | A way to write a picture, for bytes that are there.
+bytesBy ::
+  (FilePath -> Text.Text -> PictureNumber -> Contents () -> IO (Either NumberingFault ((FilePath, PictureNumber), ()))) ->
+  (FilePath -> Text.Text -> PictureNumber -> Lazy.ByteString -> IO (Either NumberingFault (FilePath, PictureNumber)))
+bytesBy write folder called from bytes = fmap fst <$> write folder called from (contents bytes)
 
 -- | What holds however the number is claimed.
 writing ::

@@ -7,6 +7,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Dioptre.Files.Contents (contents)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Whole
 import Numeric (showOct)
@@ -42,8 +43,8 @@ spec = around (withSystemTempDirectory "whole") $ do
   describe "writeWhole" $ do
     modifyMaxSuccess (const 50) $
       it "writes what readWhole reads" $ \folder ->
-        forAll contents $ \bytes -> do
-          writeWhole (folder </> "file") bytes `shouldReturn` Right ()
+        forAll someBytes $ \bytes -> do
+          writeWhole (folder </> "file") (contents bytes) `shouldReturn` Right ()
           readWhole (folder </> "file") `shouldReturn` Right (Lazy.toStrict bytes)
           listDirectory folder `shouldReturn` ["file"]
 
@@ -52,15 +53,15 @@ spec = around (withSystemTempDirectory "whole") $ do
           versions = [Lazy8.replicate 300000 c | c <- "ab"]
           wholes = map (Right . Lazy.toStrict) versions
       done <- newEmptyMVar
-      void (writeWhole path (Lazy8.replicate 300000 'a'))
-      void (forkIO (replicateM_ 50 (mapM_ (writeWhole path) versions) `finally` putMVar done ()))
+      void (writeWhole path (contents (Lazy8.replicate 300000 'a')))
+      void (forkIO (replicateM_ 50 (mapM_ (writeWhole path . contents) versions) `finally` putMVar done ()))
       seen <- replicateM 200 (readWhole path)
       takeMVar done
       filter (`notElem` wholes) seen `shouldBe` []
 
     it "keeps the old file, and leaves no other, when the contents fail on the way" $ \folder -> do
       writeFile (folder </> "file") "old"
-      writeWhole (folder </> "file") (Lazy8.replicate 100000 'x' <> error "picture")
+      writeWhole (folder </> "file") (contents (Lazy8.replicate 100000 'x' <> error "picture"))
         `shouldThrow` errorCall "picture"
       readWhole (folder </> "file") `shouldReturn` Right (Char8.pack "old")
       listDirectory folder `shouldReturn` ["file"]
@@ -71,7 +72,7 @@ spec = around (withSystemTempDirectory "whole") $ do
       rest <- unsafeInterleaveIO (putMVar started () >> takeMVar never)
       writer <-
         forkIO $
-          void (writeWhole (folder </> "file") (Lazy8.replicate 100000 'x' <> rest)) `finally` putMVar done ()
+          void (writeWhole (folder </> "file") (contents (Lazy8.replicate 100000 'x' <> rest))) `finally` putMVar done ()
       takeMVar started
       length <$> listDirectory folder `shouldReturn` 2
       killThread writer
@@ -85,7 +86,7 @@ spec = around (withSystemTempDirectory "whole") $ do
         it ("gives a new file those of any new file, under mask " <> showOct mask "") $ \folder ->
           bracket (setFileCreationMask mask) setFileCreationMask $ \_ -> do
             writeFile (folder </> "plain") ""
-            writeWhole (folder </> "whole") Lazy.empty `shouldReturn` Right ()
+            writeWhole (folder </> "whole") (contents Lazy.empty) `shouldReturn` Right ()
             wanted <- modeOf (folder </> "plain")
             modeOf (folder </> "whole") `shouldReturn` wanted
 
@@ -93,7 +94,7 @@ spec = around (withSystemTempDirectory "whole") $ do
         it ("keeps those of the file replaced: " <> showOct mode "") $ \folder -> do
           writeFile (folder </> "file") "old"
           setFileMode (folder </> "file") mode
-          writeWhole (folder </> "file") (Lazy8.pack "new") `shouldReturn` Right ()
+          writeWhole (folder </> "file") (contents (Lazy8.pack "new")) `shouldReturn` Right ()
           modeOf (folder </> "file") `shouldReturn` mode
 
     describe "links" $ do
@@ -102,7 +103,7 @@ spec = around (withSystemTempDirectory "whole") $ do
         writeFile (folder </> "inner" </> "file") "old"
         createFileLink "file" (folder </> "inner" </> "link")
         createFileLink ("inner" </> "link") (folder </> "link")
-        writeWhole (folder </> "link") (Lazy8.pack "new") `shouldReturn` Right ()
+        writeWhole (folder </> "link") (contents (Lazy8.pack "new")) `shouldReturn` Right ()
         readFile (folder </> "inner" </> "file") `shouldReturn` "new"
         pathIsSymbolicLink (folder </> "link") `shouldReturn` True
         pathIsSymbolicLink (folder </> "inner" </> "link") `shouldReturn` True
@@ -110,31 +111,31 @@ spec = around (withSystemTempDirectory "whole") $ do
       it "keeps the old file behind them when the contents fail on the way" $ \folder -> do
         writeFile (folder </> "file") "old"
         createFileLink "file" (folder </> "link")
-        writeWhole (folder </> "link") (Lazy8.replicate 100000 'x' <> error "picture")
+        writeWhole (folder </> "link") (contents (Lazy8.replicate 100000 'x' <> error "picture"))
           `shouldThrow` errorCall "picture"
         readFile (folder </> "file") `shouldReturn` "old"
 
       it "makes the file that a dangling one points to" $ \folder -> do
         createFileLink (folder </> "file") (folder </> "link")
-        writeWhole (folder </> "link") (Lazy8.pack "new") `shouldReturn` Right ()
+        writeWhole (folder </> "link") (contents (Lazy8.pack "new")) `shouldReturn` Right ()
         readFile (folder </> "file") `shouldReturn` "new"
         pathIsSymbolicLink (folder </> "link") `shouldReturn` True
 
       it "refuses those that go in a circle" $ \folder -> do
         createFileLink "b" (folder </> "a")
         createFileLink "a" (folder </> "b")
-        writeWhole (folder </> "a") Lazy.empty `shouldReturn` Left (FileFault (folder </> "a") LinksInACircle)
+        writeWhole (folder </> "a") (contents Lazy.empty) `shouldReturn` Left (FileFault (folder </> "a") LinksInACircle)
 
     describe "devices" $ do
       it "writes into them" $ \_ -> do
-        writeWhole "/dev/null" (Lazy8.pack "new") `shouldReturn` Right ()
+        writeWhole "/dev/null" (contents (Lazy8.pack "new")) `shouldReturn` Right ()
         doesPathExist "/dev/null" `shouldReturn` True
 
       it "tells of a full disk" $ \folder -> do
         let full = FileFault "/dev/full" DiskFull
-        writeWhole "/dev/full" (Lazy8.pack "new") `shouldReturn` Left full
+        writeWhole "/dev/full" (contents (Lazy8.pack "new")) `shouldReturn` Left full
         createFileLink "/dev/full" (folder </> "link")
-        writeWhole (folder </> "link") (Lazy8.pack "new")
+        writeWhole (folder </> "link") (contents (Lazy8.pack "new"))
           `shouldReturn` Left full {faultPath = folder </> "link"}
 
       it "writes into a pipe, which reads whole" $ \folder -> do
@@ -142,40 +143,40 @@ spec = around (withSystemTempDirectory "whole") $ do
         createNamedPipe pipe 0o600
         received <- newEmptyMVar
         void (forkIO (readWhole pipe >>= putMVar received))
-        writeWhole pipe (Lazy8.replicate 200000 'x') `shouldReturn` Right ()
+        writeWhole pipe (contents (Lazy8.replicate 200000 'x')) `shouldReturn` Right ()
         takeMVar received `shouldReturn` Right (Char8.replicate 200000 'x')
 
       it "writes on from where a descriptor is" $ \folder -> do
         let path = folder </> "file"
         bracket (openFile path WriteMode >>= handleToFd) closeFd $ \descriptor -> do
           void (fdWrite descriptor "before ")
-          writeWhole ("/dev/fd/" <> show descriptor) (Lazy8.pack "whole") `shouldReturn` Right ()
+          writeWhole ("/dev/fd/" <> show descriptor) (contents (Lazy8.pack "whole")) `shouldReturn` Right ()
           void (fdWrite descriptor " after")
         readFile path `shouldReturn` "before whole after"
 
     describe "faults" $ do
       it "names a folder that is in the way" $ \folder ->
-        writeWhole folder Lazy.empty `shouldReturn` Left (FileFault folder IsAFolder)
+        writeWhole folder (contents Lazy.empty) `shouldReturn` Left (FileFault folder IsAFolder)
 
       it "names a folder that is missing" $ \folder ->
         forM_ [folder </> "none" </> "file", folder </> "none/", ""] $ \path ->
-          writeWhole path Lazy.empty `shouldReturn` Left (FileFault path DoesNotExist)
+          writeWhole path (contents Lazy.empty) `shouldReturn` Left (FileFault path DoesNotExist)
 
       it "names a file that should be a folder" $ \folder -> do
         writeFile (folder </> "file") "old"
         let path = folder </> "file" </> "file"
-        writeWhole path Lazy.empty `shouldReturn` Left (FileFault path NotAFolder)
+        writeWhole path (contents Lazy.empty) `shouldReturn` Left (FileFault path NotAFolder)
 
       it "does not replace a protected file, and makes none in a protected folder" $ \folder -> do
         writeFile (folder </> "file") "old"
         setFileMode (folder </> "file") 0o444
         setFileMode folder 0o777
         unprivileged $
-          writeWhole (folder </> "file") Lazy.empty
+          writeWhole (folder </> "file") (contents Lazy.empty)
             `shouldReturn` Left (FileFault (folder </> "file") PermissionDenied)
         setFileMode folder 0o555
         unprivileged $
-          writeWhole (folder </> "new") Lazy.empty
+          writeWhole (folder </> "new") (contents Lazy.empty)
             `shouldReturn` Left (FileFault (folder </> "new") PermissionDenied)
         setFileMode folder 0o755
         readFile (folder </> "file") `shouldReturn` "old"
@@ -238,13 +239,13 @@ spec = around (withSystemTempDirectory "whole") $ do
       setFileMode folder 0o777
       unprivileged . forM_ ["file", "closed/new", "none/new", "closed", "file/new"] $ \name -> do
         obstacle <- writingObstacle (folder </> name)
-        outcome <- writeWhole (folder </> name) Lazy.empty
+        outcome <- writeWhole (folder </> name) (contents Lazy.empty)
         outcome `shouldNotBe` Right ()
         Just outcome `shouldBe` (Left <$> obstacle)
 
 -- | Bytes in pieces, from none to more than any buffer holds.
-contents :: Gen Lazy.ByteString
-contents = do
+someBytes :: Gen Lazy.ByteString
+someBytes = do
   pieces <- chooseInt (0, 5)
   Lazy.fromChunks <$> vectorOf pieces (frequency [(4, small), (1, large)])
   where

@@ -15,6 +15,7 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 import Dioptre.Command.Heard (inFolder)
+import Dioptre.Files.Contents (contents)
 import Dioptre.Files.Whole (writeWhole)
 import Dioptre.Load (Loaded (..), loadSource, loadedPlan)
 import Dioptre.Picture (Picture, picture)
@@ -142,7 +143,7 @@ put path = Lazy.writeFile path . Lazy.fromStrict
 
 -- | Writes a file as a good editor does.
 whole :: FilePath -> ByteString -> IO ()
-whole path bytes = writeWhole path (Lazy.fromStrict bytes) >>= either (fail . show) pure
+whole path bytes = writeWhole path (contents (Lazy.fromStrict bytes)) >>= either (fail . show) pure
 
 -- | A ball in a texture.
 textured :: Text

@@ -14,6 +14,7 @@ module Laws.Picture
     Drawn (..),
     decodesToItself,
     isWrittenAsRgba,
+    rowsAreWrittenAsThePicture,
     picturesKeepWholeRows,
     noDifferenceFromItself,
     differenceIsCounted,
@@ -22,19 +23,22 @@ module Laws.Picture
   )
 where
 
+import Control.Monad (forM)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
+import Data.IORef (modifyIORef, newIORef, readIORef)
 import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
 import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Picture
 import Dioptre.Picture.Byte
-import Dioptre.Picture.Png (decode, encode)
+import Dioptre.Picture.Png (decode, encode, encodeRows)
 import Dioptre.Scene.Raytracer (ColourNormalization (..))
 import GHC.Float (castFloatToWord32, castWord32ToFloat, float2Double)
 import Laws.Draw
 import Laws.Exact
 import Test.QuickCheck
+import Test.QuickCheck.Monadic (monadicIO, run)
 
 -------------------------------------------------------------------------------
 -- Bytes
@@ -148,6 +152,21 @@ isWrittenAsRgba (Drawn p) = Bytes.take 29 file === expected .&&. Bytes.take 8 (B
     expected = Bytes.pack ([137, 80, 78, 71, 13, 10, 26, 10] ++ [0, 0, 0, 13] ++ ascii "IHDR" ++ word (pictureWidth p) ++ word (pictureHeight p) ++ [8, 6, 0, 0, 0])
     ascii = map (fromIntegral . fromEnum)
     word n = [0, 0, 0, fromIntegral n]
+
+-- | A file made of rows has the header of one made of their picture, and is read as that picture: with the smallest
+-- files, and with those of more bytes than zlib gives at once, which noise takes.
+rowsAreWrittenAsThePicture :: Property
+rowsAreWrittenAsThePicture = forAllBlind (oneof [arbitrary, Drawn <$> noise]) $ \(Drawn p) -> monadicIO $ do
+  pieces <- run (newIORef [])
+  rows <- run $ encodeRows (pictureWidth p) (pictureHeight p) (forM (rowsOf p)) (\bytes -> modifyIORef pieces (bytes :))
+  file <- run (Bytes.concat . reverse <$> readIORef pieces)
+  pure . counterexample (show (pictureWidth p, pictureHeight p)) $ (decode file == Right p) .&&. Bytes.take 33 file === Bytes.take 33 (Lazy.toStrict (encode p)) .&&. length rows === pictureHeight p
+  where
+    rowsOf p = [Storable.slice (4 * pictureWidth p * y) (4 * pictureWidth p) (pictureBytes p) | y <- [0 .. pictureHeight p - 1]]
+    noise = do
+      w <- chooseInt (50, 150)
+      h <- chooseInt (50, 150)
+      picture w . Storable.fromList <$> vectorOf (4 * w * h) arbitrary
 
 -- | A picture has as many rows as its bytes fill, and keeps no others; a width below 1 is 1.
 picturesKeepWholeRows :: Property
