@@ -120,9 +120,9 @@ import qualified Dioptre.Syntax.ValueSpec
 import qualified Dioptre.View.DeskSpec
 import qualified Dioptre.View.FrameSpec
 import qualified Dioptre.View.GuardSpec
+import qualified Dioptre.View.IngredientsSpec
 import qualified Dioptre.View.NewsSpec
 import qualified Dioptre.View.ServerSpec
-import qualified Dioptre.View.SurroundingsSpec
 import qualified DioptreSpec
 import qualified FuzzSpec
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding, setLocaleEncoding, utf8)
@@ -260,9 +260,9 @@ specs = do
   describe "Dioptre.View.Desk" Dioptre.View.DeskSpec.spec
   describe "Dioptre.View.Frame" Dioptre.View.FrameSpec.spec
   describe "Dioptre.View.Guard" Dioptre.View.GuardSpec.spec
+  describe "Dioptre.View.Ingredients" Dioptre.View.IngredientsSpec.spec
   describe "Dioptre.View.News" Dioptre.View.NewsSpec.spec
   describe "Dioptre.View.Server" Dioptre.View.ServerSpec.spec
-  describe "Dioptre.View.Surroundings" Dioptre.View.SurroundingsSpec.spec
   describe "Dioptre" DioptreSpec.spec
   describe "Fuzz" FuzzSpec.spec
   describe "Guide" GuideSpec.spec

@@ -12,6 +12,8 @@
 module Dioptre.Files.Identity
   ( Identity,
     identity,
+    identityOf,
+    statusOf,
     sameFile,
   )
 where
@@ -26,7 +28,7 @@ type Identity = (DeviceID, FileID)
 
 -- | The file that a path leads to, links followed; 'Nothing' where there is none, or none that one may ask about.
 identity :: FilePath -> IO (Maybe Identity)
-identity path = fmap identityOf <$> status path
+identity path = fmap identityOf <$> statusOf path
 
 -- | Of these paths, the first that leads to the same file as a path does. What is no file with contents of its own, as
 -- a terminal, is the same as none.
@@ -36,7 +38,7 @@ identity path = fmap identityOf <$> status path
 -- Spec: cli.render.safe.
 sameFile :: FilePath -> [FilePath] -> IO (Maybe FilePath)
 sameFile path others =
-  status path >>= \case
+  statusOf path >>= \case
     Just this | isRegularFile this -> first (Just (identityOf this)) others
     _ -> pure Nothing
   where
@@ -45,8 +47,11 @@ sameFile path others =
       that <- identity other
       if that == this then pure (Just other) else first this rest
 
+-- | The file of which this is the status.
 identityOf :: FileStatus -> Identity
 identityOf this = (deviceID this, fileID this)
 
-status :: FilePath -> IO (Maybe FileStatus)
-status path = fromRight Nothing <$> (try (Just <$> getFileStatus path) :: IO (Either IOException (Maybe FileStatus)))
+-- | The status of what a path leads to, links followed; 'Nothing' where there is nothing, or nothing that one may ask
+-- about.
+statusOf :: FilePath -> IO (Maybe FileStatus)
+statusOf path = fromRight Nothing <$> (try (Just <$> getFileStatus path) :: IO (Either IOException (Maybe FileStatus)))

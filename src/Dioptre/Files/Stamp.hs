@@ -12,18 +12,16 @@ module Dioptre.Files.Stamp
   )
 where
 
-import Control.Exception (IOException, try)
-import System.Posix.Files (deviceID, fileID, fileSize, getFileStatus, modificationTimeHiRes)
-import System.Posix.Types (DeviceID, FileID, FileOffset)
+import Dioptre.Files.Identity (Identity, identityOf, statusOf)
+import System.Posix.Files (fileSize, modificationTimeHiRes)
+import System.Posix.Types (FileOffset)
 
 -- | What a file was at a moment.
-data Stamp = Stamp !DeviceID !FileID !FileOffset !Rational
+data Stamp = Stamp !Identity !FileOffset !Rational
   deriving stock (Eq, Show)
 
 -- | What the file at a path is, if there is one. Links are followed.
 stampOf :: FilePath -> IO (Maybe Stamp)
-stampOf path = either nothing (Just . stamp) <$> try (getFileStatus path)
+stampOf path = fmap stamp <$> statusOf path
   where
-    stamp s = Stamp (deviceID s) (fileID s) (fileSize s) (toRational (modificationTimeHiRes s))
-    nothing :: IOException -> Maybe Stamp
-    nothing _ = Nothing
+    stamp s = Stamp (identityOf s) (fileSize s) (toRational (modificationTimeHiRes s))

@@ -17,12 +17,11 @@ import Codec.Compression.Zlib.Internal (CompressStream (..), compressIO, default
 import Codec.Picture (DynamicImage, Image (..), PixelRGBA8, convertRGBA8, decodeBitmap, decodeGif, decodeJpeg, decodePng, encodePng)
 import Codec.Picture.Png.Internal.Type (PngIHdr (PngIHdr), PngImageType (..), PngInterlaceMethod (..), PngRawImage (PngRawImage), iDATSignature, iENDSignature, mkRawChunk)
 import Codec.Picture.Tga (decodeTga)
-import Control.Monad ((<=<))
 import qualified Data.Binary as Binary
 import Data.Bits (testBit)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
-import Data.ByteString.Internal (create)
+import Data.ByteString.Internal (fromForeignPtr)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
 import Data.IORef (newIORef, readIORef, writeIORef)
@@ -33,9 +32,6 @@ import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWi
 import Dioptre.Picture.Header (Format (..), formatOf, isTooLarge, mayBeTga, pixelsOf)
 import Dioptre.Picture.Vetting (vetted)
 import Dioptre.Source.Diagnostic (PictureFault (..))
-import Foreign.Marshal.Utils (copyBytes)
-import Foreign.Ptr (plusPtr)
-import Foreign.Storable (poke)
 import System.FilePath (takeExtension)
 
 -- | A picture as a PNG file: 8 bits a channel, with alpha.
@@ -60,11 +56,13 @@ encodeRows w h rows put = do
   put (Lazy.toStrict (Binary.encode (PngRawImage size [])))
   deflating <- newIORef (compressIO zlibFormat defaultCompressParams)
   let feed bytes = readIORef deflating >>= supplied bytes >>= writeIORef deflating
-  result <- rows (feed <=< unfiltered)
+  -- A byte 0 before a row says that it is not filtered.
+  result <- rows (\row -> feed (Bytes.singleton 0) >> feed (rowOf row))
   readIORef deflating >>= finished
   put (chunk iENDSignature Bytes.empty)
   pure result
   where
+    rowOf row = let (pointer, n) = Storable.unsafeToForeignPtr0 row in fromForeignPtr pointer 0 n
     size = PngIHdr (fromIntegral w) (fromIntegral h) 8 PngTrueColourWithAlpha 0 0 PngNoInterlace
     chunk signature bytes = Lazy.toStrict (Binary.encode (mkRawChunk signature (Lazy.fromStrict bytes)))
     -- zlib asks for bytes, says what it has made of them, and asks again. No bytes mean the end; even then it may ask
@@ -78,12 +76,6 @@ encodeRows w h rows put = do
     finished stream = case stream of
       CompressStreamEnd -> pure ()
       _ -> supplied Bytes.empty stream >>= finished
-
--- | A row as PNG has it where no filter is used: a byte 0 goes before it.
-unfiltered :: Storable.Vector Word8 -> IO ByteString
-unfiltered row = create (1 + Storable.length row) $ \target -> do
-  poke target 0
-  Storable.unsafeWith row $ \source -> copyBytes (target `plusPtr` 1) source (Storable.length row)
 
 -- | The picture in a file of any of the formats of "Dioptre.Picture.Header", or why there is none.
 --

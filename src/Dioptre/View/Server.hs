@@ -40,9 +40,9 @@ import Dioptre.View.Desk
 import Dioptre.View.Frame
 import Dioptre.View.Guard (Token, Verdict (..), Wish (..), address, newToken, verdict)
 import qualified Dioptre.View.Guard as Guard
+import Dioptre.View.Ingredients (watchingIngredients)
 import Dioptre.View.Page (pageFile)
 import Dioptre.View.Painter (Table, paintDesk)
-import Dioptre.View.Surroundings (watchingSurroundings)
 import Dioptre.View.Watch (watching)
 import Dioptre.View.Wording (rejection)
 import qualified Network.HTTP.Types as Http
@@ -93,7 +93,7 @@ withViewer settings act = do
       withAsync serve $ \server -> withAsync (paintDesk path table) $ \painter -> do
         link server
         link painter
-        watched (watchingSurroundings table (act (Viewer (address token port) table)))
+        watched (watchingIngredients table (act (Viewer (address token port) table)))
   where
     path = sourceName (settingSource settings)
 

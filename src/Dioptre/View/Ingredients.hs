@@ -1,5 +1,5 @@
 -- |
--- Module      : Dioptre.View.Surroundings
+-- Module      : Dioptre.View.Ingredients
 -- Description : The other files that a scene is made of, which somebody may change
 --
 -- A scene names models and textures, models name others and their materials, and materials name textures. When one of
@@ -9,8 +9,8 @@
 -- could come, which are the folder of whoever names it, the working directory, and scenes and models there. (A name is
 -- also looked for deeper in the working directory. A file that comes there is seen when the text is changed next.) In
 -- them every event about one of the names is a hint. Each look at the text says anew which these are.
-module Dioptre.View.Surroundings
-  ( watchingSurroundings,
+module Dioptre.View.Ingredients
+  ( watchingIngredients,
     mostFolders,
   )
 where
@@ -38,8 +38,8 @@ import System.FilePath (takeDirectory, takeFileName)
 
 -- | Does some work, and meanwhile notes on the desk when a file may have changed that the scene on it is made of. Where
 -- the system cannot watch, nothing is noted.
-watchingSurroundings :: Table -> IO a -> IO a
-watchingSurroundings table act = withAsync (forever (session table)) (const act)
+watchingIngredients :: Table -> IO a -> IO a
+watchingIngredients table act = withAsync (forever (session table)) (const act)
 
 -- | Watches the folders that matter for the text at hand, until others do, or until a hint has been noted.
 session :: Table -> IO ()

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The picture follows the files that the scene names, over real files in a real folder.
-module Dioptre.View.SurroundingsSpec (spec) where
+module Dioptre.View.IngredientsSpec (spec) where
 
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.STM (atomically, modifyTVar', readTVarIO)
