@@ -38,7 +38,8 @@ import Dioptre.Light.Colour (Colour (..))
 import Dioptre.Model.Library (noModels)
 import Dioptre.Picture.Png (decode)
 import Dioptre.Render.Parallel (workersAmong)
-import Dioptre.Render.Row (Sampled (..), colourAt, plan)
+import Dioptre.Render.Radiance (Seen (..))
+import Dioptre.Render.Row (colourAt, plan)
 import Dioptre.Source.Diagnostic (code, diagnosticProblem)
 import Dioptre.Source.Language (Language (..))
 import GHC.IO.Handle (hDuplicate)
@@ -259,7 +260,7 @@ spec = do
         ((\p -> (pictureWidth p, pictureHeight p)) <$> drawn) `shouldSatisfy` (`elem` [Just (1, 1), Just (3, 2)])
         -- Colours before they become bytes.
         let p = plan Map.empty noModels (fst (checkScene (parse source)))
-            Sampled (Colour r g b a) _ = colourAt p 0 0
+            Seen (Colour r g b a) _ = colourAt p 0 0
         [x | x <- [r, g, b, a], isNaN x || isInfinite x || x < 0] `shouldBe` []
 
   describe "pictures at the edges" $ do

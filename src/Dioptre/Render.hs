@@ -1,5 +1,3 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- Module      : Dioptre.Render
 -- Description : A whole picture from a plan
@@ -11,8 +9,6 @@ module Dioptre.Render
     renderWith,
     renderRows,
     rowsAhead,
-    Tally (..),
-    tallyOf,
   )
 where
 
@@ -21,25 +17,7 @@ import qualified Data.Vector.Storable.Mutable as Mutable
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Render.Parallel (foldInOrder)
 import Dioptre.Render.Row (Plan, Row (..), planHeight, planWidth, row)
-
--- | How many rays were cast, and how many times one was tested against a shape.
-data Tally = Tally
-  { tallyRays :: !Int,
-    tallyTests :: !Int,
-    -- | How many samples wanted more rays than are followed.
-    tallyCut :: !Int
-  }
-  deriving stock (Eq, Show)
-
-instance Semigroup Tally where
-  Tally a b c <> Tally d e f = Tally (a + d) (b + e) (c + f)
-
-instance Monoid Tally where
-  mempty = Tally 0 0 0
-
--- | What a row took.
-tallyOf :: Row -> Tally
-tallyOf r = Tally (rowRays r) (rowTests r) (rowCut r)
+import Dioptre.Render.Tally (Tally)
 
 -- | The picture of a plan: all its rows, from the top.
 --
@@ -68,7 +46,7 @@ renderWith workers done p = do
 renderRows :: Int -> Plan -> (Int -> Row -> IO ()) -> IO Tally
 renderRows workers p receive = foldInOrder workers (rowsAhead workers (planWidth p)) (planHeight p) (row p) hand mempty
   where
-    hand tally y r = (tally <> tallyOf r) <$ receive y r
+    hand tally y r = (tally <> rowTally r) <$ receive y r
 
 -- | How many rows of that width may be in memory for so many workers: enough that nobody waits for a row that takes
 -- long, and no more than 4 MB of them if that is two for each worker.

@@ -38,6 +38,7 @@ import Dioptre.Render.Shade (Lit (..), coloursAt, lighting)
 import Dioptre.Render.Stage
 import Dioptre.Render.Surface (Surface (..), finishAt, surfaceAt)
 import Dioptre.Render.Surroundings (refractiveIndexAt)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (World)
 import Dioptre.Scene.Raytracer (mostRays)
@@ -45,12 +46,8 @@ import Dioptre.Scene.Raytracer (mostRays)
 -- | What a ray sees.
 data Seen = Seen
   { seenColour :: {-# UNPACK #-} !Colour,
-    -- | How many rays were cast for it: primary, reflected, refracted and shadow rays.
-    seenRays :: {-# UNPACK #-} !Int,
-    -- | How many times one of them was tried on a shape.
-    seenTests :: {-# UNPACK #-} !Int,
-    -- | Whether more rays were wanted than 'mostRays' allows.
-    seenCut :: !Bool
+    -- | What it took.
+    seenTally :: {-# UNPACK #-} !Tally
   }
   deriving stock (Eq, Show)
 
@@ -59,7 +56,7 @@ data Seen = Seen
 -- Spec: light.algorithm.no-light, camera.background.
 unlit :: Stage -> Double -> Ray -> Seen
 unlit s far r = case closest (stageWorld s) r far of
-  Closest t i tests -> Seen (maybe black (colour t i) (finishAt (stageWorld s) i)) 1 tests False
+  Closest t i tests -> Seen (maybe black (colour t i) (finishAt (stageWorld s) i)) (Tally 1 tests 0)
   where
     colour t i f
       | hasPictures f = maybe black (\surface -> diffuseOf (coloursAt surface r t)) (surfaceAt (stageWorld s) i)
@@ -72,24 +69,24 @@ unlit s far r = case closest (stageWorld s) r far of
 -- Spec: light.opaque, optics.colour, optics.background, optics.depth, optics.secondary.origin, optics.mirror,
 --   optics.body.order, optics.medium.start, optics.budget, optics.budget.stack, optics.sum, camera.background.
 radiance :: Stage -> Terms -> Double -> Ray -> Seen
-radiance s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1 1 1 medium) Done
+radiance s terms !far !primary = follow (SoFar 0 0 0 0 0 0) (Pending primary 1 1 1 1 medium) Done
   where
     -- Where nothing goes on, nobody asks where it travels.
     medium
       | stageDepth s > 1 = refractiveIndexAt (stageWorld s) Nothing (origin primary)
       | otherwise = 1
-    follow tally@(Tally followed shadows tests red' green' blue') pending@(Pending r depth wr wg wb index) rest
-      | followed >= mostRays = told True tally
+    follow soFar@(SoFar followed shadows tests red' green' blue') pending@(Pending r depth wr wg wb index) rest
+      | followed >= mostRays = told 1 soFar
       | otherwise = case closest (stageWorld s) r far of
         Closest t i tried -> case surfaceAt (stageWorld s) i of
-          Nothing -> next (Tally (followed + 1) shadows (tests + tried) red' green' blue') rest
+          Nothing -> next (SoFar (followed + 1) shadows (tests + tried) red' green' blue') rest
           Just surface@(Surface shape f) ->
             let !at = position r t
                 !outward = normalAt shape r t
                 !n = shadingNormal r outward
              in case lighting s terms (coloursAt surface r t) (packed at) (packedUnit n) (packed (direction r)) of
                   Lit r' g' b' m tried' ->
-                    let !tally' = Tally (followed + 1) (shadows + m) (tests + tried + tried') (red' + wr * r') (green' + wg * g') (blue' + wb * b')
+                    let !soFar' = SoFar (followed + 1) (shadows + m) (tests + tried + tried') (red' + wr * r') (green' + wg * g') (blue' + wb * b')
                         !deeper = depth < stageDepth s
                         !kr = finishMirror f
                         !below
@@ -97,15 +94,15 @@ radiance s terms !far !primary = follow (Tally 0 0 0 0 0 0) (Pending primary 1 1
                           | otherwise = rest
                      in -- The reflected ray is followed first.
                         if deeper && kr /= 0
-                          then follow tally' (Pending (ray at (reflected (direction r) n)) (depth + 1) (kr * wr) (kr * wg) (kr * wb) index) below
-                          else next tally' below
-    next !tally Done = told False tally
-    next !tally (pending `Then` rest) = follow tally pending rest
-    told cut (Tally followed shadows tests red' green' blue') = Seen (rgb red' green' blue') (followed + shadows) tests cut
+                          then follow soFar' (Pending (ray at (reflected (direction r) n)) (depth + 1) (kr * wr) (kr * wg) (kr * wb) index) below
+                          else next soFar' below
+    next !soFar Done = told 0 soFar
+    next !soFar (pending `Then` rest) = follow soFar pending rest
+    told cut (SoFar followed shadows tests red' green' blue') = Seen (rgb red' green' blue') (Tally (followed + shadows) tests cut)
 
 -- | What is known so far: how many rays were followed, how many shadow rays and how many tests there were, and the red,
 -- green and blue that was seen.
-data Tally = Tally {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
+data SoFar = SoFar {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Double {-# UNPACK #-} !Double {-# UNPACK #-} !Double
 
 -- | A ray to follow: how deep it is, the weight of what it sees in red, green and blue, and the refractive index of
 -- where it travels.

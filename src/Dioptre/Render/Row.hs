@@ -33,8 +33,6 @@ module Dioptre.Render.Row
     -- * Computing
     Row (..),
     row,
-    Sampled (..),
-    Work (..),
     colourAt,
   )
 where
@@ -46,7 +44,7 @@ import qualified Data.Vector.Storable.Mutable as Mutable
 import Data.Word (Word8)
 import Dioptre.Geometry.Closest (Closest (..))
 import Dioptre.Geometry.Ray (Ray)
-import Dioptre.Light.Colour (Colour, black, plus, scaled)
+import Dioptre.Light.Colour (black, plus, scaled)
 import Dioptre.Light.Finish (Colours (..), Finish (..))
 import Dioptre.Model.Library (Library)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
@@ -55,6 +53,7 @@ import Dioptre.Render.Radiance (Seen (..), radiance, unlit)
 import Dioptre.Render.Sampling (offset)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Surface (finishAt)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.View (View, rayThrough, view, viewFar, viewWidth)
 import Dioptre.Render.World (Extent, worldExtent, worldHasPictures, worldOwn)
@@ -130,12 +129,7 @@ planExtent = worldExtent . stageWorld . planStage
 data Row = Row
   { -- | Red, green, blue, alpha of each pixel, from the left.
     rowBytes :: !(Storable.Vector Word8),
-    -- | How many rays were cast.
-    rowRays :: !Int,
-    -- | How many times a ray was tested against a shape.
-    rowTests :: !Int,
-    -- | How many samples wanted more rays than are followed ("Dioptre.Render.Radiance" counts them).
-    rowCut :: !Int
+    rowTally :: !Tally
   }
   deriving stock (Eq, Show)
 
@@ -149,20 +143,17 @@ row p !i = case planPixels p of
   Nothing -> runRow $ \target -> litRow p y target
   where
     !y = windowRow (planWindow p) + i
-    runRow :: (forall s. Mutable.MVector s Word8 -> ST s Work) -> Row
+    runRow :: (forall s. Mutable.MVector s Word8 -> ST s Tally) -> Row
     runRow fill = runST $ do
       target <- Mutable.new (4 * planWidth p)
-      Work rays tests cut <- fill target
+      tally <- fill target
       bytes <- Storable.unsafeFreeze target
-      pure (Row bytes rays tests cut)
-
--- | How many rays a row took, how many times one was tried on a shape, and how many samples were cut.
-data Work = Work {-# UNPACK #-} !Int {-# UNPACK #-} !Int {-# UNPACK #-} !Int
+      pure (Row bytes tally)
 
 -- | A row with one ray a pixel and no light to add up: each pixel is that of the shape that the ray sees.
 --
 -- Law: its pixels are those of 'colourAt'.
-flatRow :: Plan -> Flat -> Int -> Mutable.MVector s Word8 -> ST s Work
+flatRow :: Plan -> Flat -> Int -> Mutable.MVector s Word8 -> ST s Tally
 flatRow p (Flat background pixels pixelAt) !y target = go 0 0
   where
     !width = planWidth p
@@ -173,7 +164,7 @@ flatRow p (Flat background pixels pixelAt) !y target = go 0 0
     !(!dx, !dy) = offset (planRaytracer p) (viewWidth v) left y 0
     !random = raytracerPixelCoordinate (planRaytracer p) == Random
     go !x !tests
-      | x >= width = pure (Work width tests 0)
+      | x >= width = pure (Tally width tests 0)
       | otherwise = do
         let !(!sx, !sy) = if random then offset (planRaytracer p) (viewWidth v) (left + x) y 0 else (dx, dy)
         case closest w (rayThrough v (fromIntegral (left + x) + sx) (fromIntegral y + sy)) far of
@@ -182,7 +173,7 @@ flatRow p (Flat background pixels pixelAt) !y target = go 0 0
             go (x + 1) (tests + tried)
 
 -- | A row with light, textures or several rays a pixel.
-litRow :: Plan -> Int -> Mutable.MVector s Word8 -> ST s Work
+litRow :: Plan -> Int -> Mutable.MVector s Word8 -> ST s Tally
 litRow p !y target = case stageTerms st of
   Nothing -> across (unlit st (viewFar v))
   Just terms -> across (radiance st terms (viewFar v))
@@ -196,9 +187,9 @@ litRow p !y target = case stageTerms st of
     across see = go 0 0 0 0
       where
         go !x !rays !tests !cut
-          | x >= width = pure (Work rays tests cut)
+          | x >= width = pure (Tally rays tests cut)
           | otherwise = case sampled tracer v see (left + x) y of
-            Sampled colour (Work n m c) -> do
+            Seen colour (Tally n m c) -> do
               put target x (pixelOf normalization colour)
               go (x + 1) (rays + n) (tests + m) (cut + c)
     {-# INLINE across #-}
@@ -213,33 +204,29 @@ put target !x (Pixel r g b a) = do
   Mutable.unsafeWrite target (4 * x + 3) a
 {-# INLINE put #-}
 
--- | The colour of a pixel before it becomes one, and what it took.
-data Sampled = Sampled {-# UNPACK #-} !Colour {-# UNPACK #-} !Work
-
--- | The colour at a column and row: that of its one sample, or else the mean of its samples, added up in their order
+-- | The colour at a column and row, before it becomes a pixel: that of its one sample, or else the mean of its samples, added up in their order
 -- and opaque.
 --
 -- Spec: camera.sampling.one, camera.sampling.mean, camera.sampling.opaque, camera.sampling.fixed.
-colourAt :: Plan -> Int -> Int -> Sampled
+colourAt :: Plan -> Int -> Int -> Seen
 colourAt p = sampled (planRaytracer p) v (maybe (unlit st) (radiance st) (stageTerms st) (viewFar v))
   where
     st = planStage p
     v = planView p
 
 -- | The same, given what a ray sees.
-sampled :: Raytracer -> View -> (Ray -> Seen) -> Int -> Int -> Sampled
+sampled :: Raytracer -> View -> (Ray -> Seen) -> Int -> Int -> Seen
 sampled tracer v see x y
   | samples == 1 = sample 0
   | otherwise = total 0 black 0 0 0
   where
     samples = raytracerSampling tracer
     total !k !sum' !rays !tests !cut
-      | k >= samples = Sampled (scaled (1 / fromIntegral samples) sum') (Work rays tests cut)
+      | k >= samples = Seen (scaled (1 / fromIntegral samples) sum') (Tally rays tests cut)
       | otherwise = case sample k of
-        Sampled c (Work n m l) -> total (k + 1) (sum' `plus` c) (rays + n) (tests + m) (cut + l)
+        Seen c (Tally n m l) -> total (k + 1) (sum' `plus` c) (rays + n) (tests + m) (cut + l)
     -- What one ray through the pixel sees.
-    sample k = case see (rayThrough v (fromIntegral x + dx) (fromIntegral y + dy)) of
-      Seen colour rays tests cut -> Sampled colour (Work rays tests (if cut then 1 else 0))
+    sample k = see (rayThrough v (fromIntegral x + dx) (fromIntegral y + dy))
       where
         !(!dx, !dy) = offset tracer (viewWidth v) x y k
 {-# INLINE sampled #-}

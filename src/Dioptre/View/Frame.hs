@@ -45,9 +45,11 @@ import Data.Word (Word8)
 import Dioptre.Load (Loaded (..), loadedPlan)
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
-import Dioptre.Render (Tally (..), renderRows, rowsAhead, tallyOf)
+import Dioptre.Render (renderRows, rowsAhead)
 import Dioptre.Render.Parallel (foldInOrder)
-import Dioptre.Render.Row (Plan, Row (..), Sampled (..), colourAt, planHeight, planWidth)
+import Dioptre.Render.Radiance (Seen (..))
+import Dioptre.Render.Row (Plan, Row (..), colourAt, planHeight, planWidth)
+import Dioptre.Render.Tally (Tally)
 import Dioptre.Scene (sceneRaytracer)
 import Dioptre.Scene.Raytracer (Raytracer (..))
 import Foreign.ForeignPtr (castForeignPtr, withForeignPtr)
@@ -134,7 +136,7 @@ paint workers finish frame = do
       report (pure ()) (\p -> p {progressStrips = progressStrips p |> Coarse k})
     fineDone y r = do
       place (frameFine frame) y (rowBytes r)
-      report (pure ()) (\p -> p {progressStrips = progressStrips p |> Fine y, progressRows = y + 1, progressTally = progressTally p <> tallyOf r})
+      report (pure ()) (\p -> p {progressStrips = progressStrips p |> Fine y, progressRows = y + 1, progressTally = progressTally p <> rowTally r})
     place target k bytes = Storable.copy (Mutable.slice (k * Storable.length bytes) (Storable.length bytes) target) bytes
     report also change = do
       now <- getMonotonicTime
@@ -147,7 +149,7 @@ coarseRow frame k = Storable.concat [pixel (shownBy (planWidth planned) j) | j <
     planned = framePlan frame
     y = shownBy (planHeight planned) k
     normalization = raytracerColourNormalization (sceneRaytracer (loadedScene (frameLoaded frame)))
-    pixel x = let Sampled c _ = colourAt planned x y; Pixel r g b a = pixelOf normalization c in Storable.fromList [r, g, b, a]
+    pixel x = let Seen c _ = colourAt planned x y; Pixel r g b a = pixelOf normalization c in Storable.fromList [r, g, b, a]
 
 -- | The bytes of a strip that is there.
 stripBytes :: Frame -> Strip -> IO ByteString

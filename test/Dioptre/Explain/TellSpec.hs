@@ -17,7 +17,9 @@ import Dioptre.Light.Material (standard)
 import Dioptre.Math.Transform (identity)
 import Dioptre.Model.Content (Content (..), Part (..))
 import Dioptre.Model.Library (Instance (..), Library (..), noModels)
-import Dioptre.Render.Row (Sampled (..), Work (..), colourAt, plan)
+import Dioptre.Render.Radiance (Seen (..))
+import Dioptre.Render.Row (colourAt, plan)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Scene.Raytracer (mostRays)
 import Dioptre.Source.Language (Language (English))
 import Laws.Shade (sceneOf)
@@ -42,19 +44,19 @@ spec = do
   it "counts what it does not look at in a world of a million shapes" $ do
     story <- storyOf crowd crowdScene
     let r = sampleRay (firstOf story)
-        Sampled colour _ = colourAt (plan mempty crowd crowdScene) 0 0
+        Seen colour _ = colourAt (plan mempty crowd crowdScene) 0 0
     storyShapes story `shouldBe` 1000001
     ([thingNumber (encounterThing e) | e <- rayEncounters r], rayPassed r, rayUntold r) `shouldBe` ([0, 1], 0, 999999)
     [thingWhereabouts (hitThing h) | Just h <- [rayHit r]] `shouldBe` [OfModel 0 0 Nothing]
     storyColour story `shouldBe` colour
   it "follows as many rays as the renderer between two mirrors, and no more" $ do
     story <- storyOf noModels mirrors
-    let Sampled colour (Work _ _ cut) = colourAt (plan mempty noModels mirrors) 0 0
+    let Seen colour (Tally _ _ cut) = colourAt (plan mempty noModels mirrors) 0 0
     (sampleFollowed (firstOf story), sampleCut (firstOf story), cut) `shouldBe` (mostRays, True, 1)
     storyColour story `shouldBe` colour
   it "keeps the first of many samples, and counts all of them in" $ do
     let many = sceneOf (view <> ["raytracer", "sampling 5000", "pixel_coordinate random", "end"] <> ball)
-        Sampled colour _ = colourAt (plan mempty noModels many) 0 0
+        Seen colour _ = colourAt (plan mempty noModels many) 0 0
     story <- storyOf noModels many
     length (storySamples story) `shouldBe` mostKept
     (storyColour story, storySeesNothing story) `shouldBe` (colour, False)

@@ -12,6 +12,7 @@ import qualified Data.Text.IO as Text
 import Data.Version (Version (..))
 import Dioptre.Load (loadSource, loadedPlan)
 import Dioptre.Render.Row (Plan, Row (..), planHeight, planWidth, row)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Source.Language (Language (English))
 import Dioptre.Source.Text (fromText)
 import Laws.Rendering
@@ -57,5 +58,5 @@ bytesPerPixel change = do
 
 -- | How many rays some rows took.
 raysOf :: Plan -> [Int] -> Int
-raysOf p = sum . map (rowRays . row p)
+raysOf p = sum . map (tallyRays . rowTally . row p)
 {-# NOINLINE raysOf #-}

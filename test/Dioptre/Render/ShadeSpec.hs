@@ -19,9 +19,11 @@ import Dioptre.Light.Wavelength (colourOfWavelength)
 import Dioptre.Math.Vector
 import Dioptre.Model.Library (noModels)
 import Dioptre.Picture (Picture, picture)
-import Dioptre.Render (Tally (..), renderWith, rendered)
-import Dioptre.Render.Row (Plan, Sampled (..), Work (..), colourAt, plan)
+import Dioptre.Render (renderWith, rendered)
+import Dioptre.Render.Radiance (Seen (..))
+import Dioptre.Render.Row (Plan, colourAt, plan)
 import Dioptre.Render.Surroundings (refractiveIndexAt)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.Transmittance
 import Dioptre.Render.World (world)
 import Laws.Shade
@@ -275,7 +277,7 @@ pixels = do
     everyPixel :: [Text] -> Text -> [Text] -> (Point -> [Double]) -> Expectation
     everyPixel light algorithm material expected = do
       let scene = sceneOf (camera ++ tracer ["reflexion_algorithm " <> algorithm, "pixel_coordinate center"] ++ floorOf material ++ light)
-          found = [(x, y, c) | y <- [0 .. 6], x <- [0 .. 8], let Sampled c _ = colourAt (plan Map.empty noModels scene) x y]
+          found = [(x, y, c) | y <- [0 .. 6], x <- [0 .. 8], let Seen c _ = colourAt (plan Map.empty noModels scene) x y]
           at x y = V3 (10 / 7 * fromIntegral (x - 4 :: Int)) (10 / 7 * fromIntegral (3 - y :: Int)) 0
       [(x, y, c, expected (at x y)) | (x, y, c) <- found, or (zipWith (\a b -> abs (a - b) > 1e-13) (channels c) (expected (at x y)))] `shouldBe` []
     camera = ["camera", "position 0 0 5", "look_at 0 0 0", "up 0 1 0", "angle 90", "end", "viewport", "width 9", "height 7", "end"]
@@ -469,7 +471,7 @@ pictures = do
       results <- mapM (\workers -> renderWith workers (pure ()) lit) [1, 2, 3, 8, 100]
       map fst results `shouldBe` replicate 5 (rendered lit)
       let counts = [(tallyRays t, tallyTests t, tallyCut t) | (_, t) <- results]
-          Work rays tests cut = foldr together (Work 0 0 0) (allPixels lit)
+          Tally rays tests cut = foldMap seenTally (allPixels lit)
       counts `shouldBe` replicate 5 (rays, tests, 0)
       -- Four shapes: a shadow ray that meets something opaque leaves out the rest
       (tests, cut) `shouldSatisfy` (\(n, c) -> n <= 4 * rays && n > 3 * rays && c == 0)
@@ -491,10 +493,9 @@ pictures = do
       sum (map ((^ (2 :: Int)) . off) [0 .. 7]) `shouldSatisfy` (> 0.5)
       [red (colourOf p x y) | y <- [0 .. 7], x <- [0, 1, 2, 4, 5, 6, 7]] `shouldBe` concat (replicate 8 [0, 0, 0, 1, 1, 1, 1])
   where
-    colourOf p x y = case colourAt p x y of Sampled c _ -> c
+    colourOf p x y = case colourAt p x y of Seen c _ -> c
     allOf = [(x, y) | y <- [0 .. 5], x <- [0 .. 7]]
     allPixels p = [colourAt p x y | (x, y) <- allOf]
-    together (Sampled _ (Work a b c)) (Work a' b' c') = Work (a + a') (b + b') (c + c')
     planOf :: [Text] -> Plan
     planOf properties =
       plan Map.empty noModels . sceneOf $

@@ -57,7 +57,8 @@ import Dioptre.Model.Mtl (Mtl (..), finishesOf, readMtl)
 import Dioptre.Model.Obj (Named (..), Obj (..), feed, finish, newReader, readObj)
 import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWidth)
 import Dioptre.Picture.Png (decode, decodeTexture)
-import Dioptre.Render.Row (Sampled (..), colourAt, plan, planExtent)
+import Dioptre.Render.Radiance (Seen (..))
+import Dioptre.Render.Row (colourAt, plan, planExtent)
 import Dioptre.Render.Texture (Texture (..), Upward (..))
 import Dioptre.Scene (writeScene)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
@@ -187,7 +188,7 @@ colouredWell bytes library scene = do
     pure p
   -- For each sample there may be 65536 rays, whatever the size of the input.
   boundedFrom 20000 "pixel" 120 200000 bytes . for_ places $ \(x, y) -> do
-    let Sampled (Colour r g b a) _ = colourAt p x y
+    let Seen (Colour r g b a) _ = colourAt p x y
     for_ [r, g, b, a] $ \c -> do
       when (isNaN c) $ failing "colour-is-nan" (show ((x, y), [r, g, b, a]))
       when (isInfinite c) $ failing "colour-is-infinite" (show ((x, y), [r, g, b, a]))

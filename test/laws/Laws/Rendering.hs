@@ -21,8 +21,10 @@ import Dioptre.Model.Library (noModels)
 import Dioptre.Picture
 import Dioptre.Picture.Byte (Pixel (..), pixelOf)
 import Dioptre.Render
+import Dioptre.Render.Radiance (Seen (..))
 import Dioptre.Render.Row
 import Dioptre.Render.Sampling (offset)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (sceneLights, scenePrimitives, sceneRaytracer, sceneViewport)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
@@ -86,7 +88,7 @@ rowsAreColours unlit = forAll (lit unlit) $ \s ->
       p = plan mempty noModels scene
       how = raytracerColourNormalization (sceneRaytracer scene)
    in conjoin
-        [ counterexample (show y) (Storable.toList (rowBytes (row p y)) === concat [bytes (pixelOf how colour) | x <- [0 .. planWidth p - 1], let Sampled colour _ = colourAt p x y])
+        [ counterexample (show y) (Storable.toList (rowBytes (row p y)) === concat [bytes (pixelOf how colour) | x <- [0 .. planWidth p - 1], let Seen colour _ = colourAt p x y])
           | y <- [0 .. planHeight p - 1]
         ]
 
@@ -106,7 +108,7 @@ coloursAreBruteForce :: Sketch -> Property
 coloursAreBruteForce s =
   cover 50 (certain >= 9 * length pixels `div` 10) "nearly all pixels certain" $
     cover 40 (or [a /= Background | (_, _, as) <- pixels, a <- as]) "something is seen" $
-      conjoin [counterexample (show (x, y, as)) (agrees (let Sampled c _ = colourAt p x y in c) colours) | (x, y, as) <- pixels, Just colours <- [mapM (sketchColour s) as]]
+      conjoin [counterexample (show (x, y, as)) (agrees (let Seen c _ = colourAt p x y in c) colours) | (x, y, as) <- pixels, Just colours <- [mapM (sketchColour s) as]]
   where
     scene = sketchScene s
     p = plan mempty noModels scene

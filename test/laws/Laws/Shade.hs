@@ -76,6 +76,7 @@ import Dioptre.Optics.Reflection (reflected)
 import Dioptre.Optics.Refraction (refracted)
 import Dioptre.Render.Radiance (Seen (..), radiance, unlit)
 import Dioptre.Render.Stage (Stage (..), stage)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.Texture (Assets)
 import Dioptre.Render.Transmittance (Transmittance (..), transmittance)
 import Dioptre.Render.World (world)
@@ -114,7 +115,7 @@ seen = seenWith Map.empty
 -- | What a ray sees in a scene with these pictures.
 seenWith :: Assets -> Scene -> Ray -> Shown
 seenWith assets scene r = case maybe (unlit s far r) (\terms -> radiance s terms far r) (stageTerms s) of
-  Seen c rays _ cut -> Shown c rays cut
+  Seen c (Tally rays _ cut) -> Shown c rays (cut > 0)
   where
     s = stage assets noModels scene
     far = farOf scene
@@ -159,12 +160,12 @@ data Thing = Thing Int Prepared Material
 
 -- | What is left of the rays that may be followed, how many shadow rays were cast, and whether any ray was wanted in
 -- vain.
-data Tally = Tally !Int !Int !Bool
+data Budget = Budget !Int !Int !Bool
 
 -- | The recursion of the specification.
 plainly :: Scene -> Ray -> Plain
-plainly scene r0 = case shade 1 (indexAt Nothing (origin r0)) r0 (Tally mostRays 0 False) of
-  (V3 r g b, Tally left shadows cut) -> Plain [r, g, b] (mostRays - left) shadows cut
+plainly scene r0 = case shade 1 (indexAt Nothing (origin r0)) r0 (Budget mostRays 0 False) of
+  (V3 r g b, Budget left shadows cut) -> Plain [r, g, b] (mostRays - left) shadows cut
   where
     things = mapMaybe thing (zip [0 ..] (scenePrimitives scene))
     thing (i, p) = (\shape -> Thing i shape (materialOf (primitiveMaterial p))) <$> prepare (primitiveShape p)
@@ -180,17 +181,17 @@ plainly scene r0 = case shade 1 (indexAt Nothing (origin r0)) r0 (Tally mostRays
       inside -> sum inside / fromIntegral (length inside)
 
     -- What one ray sees.
-    shade :: Int -> Double -> Ray -> Tally -> (V3 Double, Tally)
-    shade _ _ _ (Tally 0 shadows _) = (0, Tally 0 shadows True)
-    shade depth index r (Tally left shadows cut) = case hits r (farOf scene) of
-      [] -> (0, Tally (left - 1) shadows cut)
+    shade :: Int -> Double -> Ray -> Budget -> (V3 Double, Budget)
+    shade _ _ _ (Budget 0 shadows _) = (0, Budget 0 shadows True)
+    shade depth index r (Budget left shadows cut) = case hits r (farOf scene) of
+      [] -> (0, Budget (left - 1) shadows cut)
       (t, Thing i shape m) : _ ->
         let p = position r t
             v = direction r
             outward = normalAt shape r t
             n = if dot v (vector outward) < 0 then outward else opposite outward
             direct = map (lit m p n v) (sceneLights scene)
-            now = Tally (left - 1) (shadows + sum (map snd direct)) cut
+            now = Budget (left - 1) (shadows + sum (map snd direct)) cut
             leaving = dot v (vector outward) > 0
             beyond = if leaving then indexAt (Just i) p else materialRefractiveIndex m
             passes = if leaving then pure (materialKt m) else materialKt m *^ three (materialColour m)

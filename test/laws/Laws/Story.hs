@@ -56,8 +56,10 @@ import Dioptre.Math.Vector (cross, dot, modulus, quadrance, vector, (*^))
 import Dioptre.Model.Library (Library, noModels)
 import Dioptre.Picture (picture)
 import Dioptre.Picture.Byte (Pixel (..))
-import Dioptre.Render.Row (Row (..), Sampled (..), Work (..), colourAt, plan, row)
+import Dioptre.Render.Radiance (Seen (..))
+import Dioptre.Render.Row (Row (..), colourAt, plan, row)
 import Dioptre.Render.Surface (Surface (..), surfaceAt)
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.Texture (Assets, Texture)
 import Dioptre.Render.World (world, worldSize)
 import Dioptre.Scene (writeScene)
@@ -152,7 +154,7 @@ sameColour assets library scene x y =
   where
     story = told assets library scene x y
     p = plan assets library scene
-    Sampled colour _ = colourAt p x y
+    Seen colour _ = colourAt p x y
 
 -- | The colour of a story is that of the renderer, bit for bit, and so are its bytes: through mirrors and glass, with
 -- pictures, with several rays a pixel.
@@ -185,7 +187,7 @@ asManyRaysAsCast p@(Pictured scene assets x y) =
       InShadow _ _ -> True
       Arrives {} -> True
       _ -> False
-    Sampled _ (Work rays _ cut) = colourAt (plan assets noModels scene) x y
+    Seen _ (Tally rays _ cut) = colourAt (plan assets noModels scene) x y
 
 -------------------------------------------------------------------------------
 -- Shapes

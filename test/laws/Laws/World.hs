@@ -61,10 +61,11 @@ import Dioptre.Model.Library (Instance (..), Library (..), noModels)
 import Dioptre.Render (rendered)
 import Dioptre.Render.Obstacles
 import Dioptre.Render.Radiance (Seen (..), radiance, unlit)
-import Dioptre.Render.Row (Sampled (..), Work (..), colourAt, plan, planHeight, planWidth)
+import Dioptre.Render.Row (colourAt, plan, planHeight, planWidth)
 import Dioptre.Render.Stage (Stage (..), stage)
 import Dioptre.Render.Surface
 import Dioptre.Render.Surroundings
+import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (Extent (..), World, world, worldExtent, worldHasMedia, worldOwn, worldSize)
 import Dioptre.Scene (writeScene)
@@ -326,13 +327,13 @@ picturesAreAsOfShapes (Modelled lit library _ _) = forAll arbitrary $ \isLit ->
       q = plan mempty noModels (plainScene scene library)
    in conjoin [counterexample (show (x, y)) (told (colourAt p x y) === told (colourAt q x y)) | y <- [0 .. planHeight p - 1], x <- [0 .. planWidth p - 1]] .&&. counterexample "bytes" (rendered p == rendered q)
   where
-    told (Sampled c (Work rays _ cut)) = (c, rays, cut)
+    told (Seen c (Tally rays _ cut)) = (c, rays, cut)
 
 -- | What a ray sees in a scene with models is what the plain recursion of "Laws.Shade" sees of its shapes, but for the
 -- order of sums.
 coloursAreAsOfTheRecursion :: Modelled -> Property
 coloursAreAsOfTheRecursion (Modelled scene library r0 _) = case maybe (unlit s far r) (\terms -> radiance s terms far r) (stageTerms s) of
-  Seen c rays _ cut -> Shade.within 1e-12 (channels c) expected .&&. (rays, cut) === (followed + shadows, cut')
+  Seen c (Tally rays _ cut) -> Shade.within 1e-12 (channels c) expected .&&. (rays, cut > 0) === (followed + shadows, cut')
   where
     r = maybe r0 (ray (origin r0) . vector) (unit (direction r0))
     s = stage mempty library scene
