@@ -45,13 +45,15 @@ import Dioptre.Explain.Story
 import Dioptre.Explain.Tell (tell)
 import Dioptre.Geometry.Axis (axis, roundShape)
 import Dioptre.Geometry.Lens (lens)
+import Dioptre.Geometry.Placement (carriedBack)
 import Dioptre.Geometry.Prepared (parameters, placedIn, prepare)
-import Dioptre.Geometry.Ray (Ray, direction, origin, ray)
+import Dioptre.Geometry.Ray (Ray, direction, origin, position, ray)
 import Dioptre.Geometry.Shape (Shape (..))
-import Dioptre.Geometry.Triangle (Corners (..), smoothTriangleFlat, trianglePoints)
+import Dioptre.Geometry.Triangle (Corners (..), Triangle, barycentric, smoothTriangleFlat, trianglePoints)
 import Dioptre.Light.Colour (Colour (..), black, plus)
 import Dioptre.Light.Finish (Colours (..))
 import Dioptre.Light.Material (Material (..), Textures (..))
+import Dioptre.Math.Transform (placement)
 import Dioptre.Math.Vector (cross, dot, modulus, quadrance, vector, (*^))
 import Dioptre.Model.Library (Library, noModels)
 import Dioptre.Picture (picture)
@@ -285,7 +287,16 @@ verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMa
         .&&. conjoin [counterexample (show (encounterThing e, encounterVerdict e, encounterRoots e)) (consistent r e) | e <- rayEncounters r]
         .&&. length (rayEncounters r) + rayPassed r + rayUntold r === storyShapes story
     shapes = directory [] noModels scene
-    consistent r e = all (fateHolds (maybe (const 0) (cornerSlack (rayItself r) . foundShape) (find shapes (thingNumber (encounterThing e))))) (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
+    consistent r e = all (\x -> fateHolds (maybe (const 0) (cornerSlack (rayItself r) . foundShape) found) x && isOfPoint found r x) (encounterRoots e) && verdictHolds (encounterVerdict e) [(rootParameter x, rootFate x) | x <- encounterRoots e]
+      where
+        found = find shapes (thingNumber (encounterThing e))
+    -- Coordinates in a triangle are those of the point, to the bit ("Laws.Triangle" has them near the exact ones).
+    isOfPoint found r (Root t _ measure _) = case measure of
+      Barycentric t1 t2 -> or [(t1, t2) == barycentric p0 p1 p2 (position own t) | Just f <- [found], (own, shape) <- [inFrames (foldl' (flip carriedBack) (rayItself r) (foundFrames f)) (foundShape f)], Just (Corners p0 p1 p2) <- [trianglePoints <$> triangleOf shape]]
+      _ -> True
+    inFrames r shape = case shape of
+      ATransformed m inner -> inFrames (carriedBack (placement m) r) inner
+      _ -> (r, shape)
     fateHolds slack (Root t _ measure fate) =
       measureHolds slack (fate /= Outside) measure && case fate of
         Taken -> t > 1e-8 && t < far
@@ -319,6 +330,12 @@ verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMa
       Outside -> False
       _ -> True
 
+triangleOf :: Shape -> Maybe Triangle
+triangleOf shape = case shape of
+  ATriangle t -> Just t
+  ASmoothTriangle t -> Just (smoothTriangleFlat t)
+  _ -> Nothing
+
 -- | How far beyond an edge of a triangle, as barycentric coordinates go, a ray's point may be told that passes within
 -- the triangle, or within it one that passes beside; given the sum of the coordinates. There is nothing of the kind for
 -- other shapes.
@@ -332,10 +349,7 @@ verdictsAccountForTheHit p@(Pictured scene _ _ _) = conjoin (map ofRay (concatMa
 --   cosine, a \/ |N|. A coordinate changes by L \/ |N| for each unit of length.
 -- * The inner products of the coordinates have 32 L^4 \/ |N|^2 of themselves.
 cornerSlack :: Ray -> Shape -> Double -> Double
-cornerSlack r shape coordinates = case shape of
-  ATriangle t -> ofCorners (trianglePoints t)
-  ASmoothTriangle t -> ofCorners (trianglePoints (smoothTriangleFlat t))
-  _ -> 0
+cornerSlack r shape coordinates = maybe 0 (ofCorners . trianglePoints) (triangleOf shape)
   where
     ofCorners (Corners p0 p1 p2) =
       let m = modulus (origin r) + maximum (map modulus [p0, p1, p2])
