@@ -8,6 +8,9 @@
 -- 'draw' = 'rendered' . 'plan' mempty 'noModels' . fst . 'checkScene' . 'parse'
 -- @
 --
+-- The scene language is that of an older program, which comments call the original; the handout is the text that comes
+-- with it, and asks what students find out. Where Dioptre differs, "Dioptre.Scene.Original" tells.
+--
 -- Each name is the door of a folder. The folders are stages, and here they stand in the order in which they import each
 -- other, always an earlier one; reading them in this order is a course in ray tracing.
 --

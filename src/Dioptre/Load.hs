@@ -20,7 +20,6 @@ module Dioptre.Load
     loadedFiles,
     loadScene,
     loadSource,
-    loadPicture,
     drawnOrLoaded,
 
     -- * What becomes of a scene

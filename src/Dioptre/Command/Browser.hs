@@ -16,10 +16,11 @@ module Dioptre.Command.Browser
 where
 
 import Control.Concurrent (forkIO)
-import Control.Exception (IOException, bracket, handle, try)
+import Control.Exception (IOException, bracket, try)
 import Control.Monad (void)
 import qualified Data.ByteString.Char8 as Char8
 import Data.Maybe (catMaybes)
+import Dioptre.Files.Fault (quietly)
 import System.Directory (findExecutable, getTemporaryDirectory, removeDirectoryRecursive)
 import System.Environment (lookupEnv)
 import System.FilePath ((</>))
@@ -43,9 +44,7 @@ withBrowser address act =
   where
     refused :: IO b -> IO (Either IOException b)
     refused = try
-    remove folder = handle ignore (removeDirectoryRecursive folder)
-    ignore :: IOException -> IO ()
-    ignore _ = pure ()
+    remove = quietly . removeDirectoryRecursive
 
 -- | The program that opens files in the user's browser.
 opener :: IO (Maybe FilePath)

@@ -33,6 +33,7 @@ import Dioptre.Conformance.Suite (Selection (..), SuiteFault (..), findSuite, re
 import Dioptre.Conformance.Verdict (Case (..), Reason (..), Score (..), Trouble (..), Verdict (..), abbreviated, isFailure, scoreOf)
 import Dioptre.Files.Wording (fileFault)
 import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Phrase (safe)
 import qualified Dioptre.Source.Report as Report
 import Prettyprinter (Doc, annotate, pretty, vsep)
 import Prettyprinter.Render.Terminal (Color (..), bold, color)
@@ -117,7 +118,7 @@ inWords l ran = vsep (concatMap failure failures <> skipped <> oddities <> table
              line (say "got" "obtenu") (reasonInWords l reason),
              ""
            ]
-    line label text = "  " <> pretty (Text.justifyLeft 10 ' ' label) <> pretty (clean text)
+    line label text = "  " <> pretty (Text.justifyLeft 10 ' ' label) <> pretty (safe text)
 
     skipped = case nubOrd [caseOperation c | (c, NotImplemented _) <- ranVerdicts ran] of
       [] -> []
@@ -126,12 +127,12 @@ inWords l ran = vsep (concatMap failure failures <> skipped <> oddities <> table
     oddities = case ranComplaints ran of
       (0, _) -> []
       (n, first') ->
-        [annotate (color Yellow) (pretty (say "remark: " "remarque\xA0: " <> clean (complaintInWords l complaint))) | complaint <- first']
+        [annotate (color Yellow) (pretty (say "remark: " "remarque\xA0: " <> safe (complaintInWords l complaint))) | complaint <- first']
           <> [pretty (say "and " "et " <> number (n - length first') <> say " more like these" " autres de ce genre") | n > length first']
           <> [""]
 
     table =
-      pretty (clean (introductionInWords l (ranIntroduction ran))) :
+      pretty (safe (introductionInWords l (ranIntroduction ran))) :
       row (say "profile" "profil") (say "passed" "réussis") (say "failed" "échoués") (say "not implemented" "non réalisés") :
         [row profile (number p) (number f) (number s) | (profile, Score p f s) <- scores ran <> [(say "all" "tous", total)]]
     total@(Score _ failedCount _) = foldMap snd (scores ran)
@@ -141,10 +142,6 @@ inWords l ran = vsep (concatMap failure failures <> skipped <> oddities <> table
         <> (if failedCount > 0 then annotate (color Red) else id) (pretty (Text.justifyRight 9 ' ' c))
         <> annotate (color Yellow) (pretty (Text.justifyRight 17 ' ' d))
     number = Text.pack . show :: Int -> Text
-
--- | Text of a port, safe to show.
-clean :: Text -> Text
-clean = Text.map (\c -> if c < ' ' || c == '\DEL' then '·' else c)
 
 -- | JSON on one line, of which a person can read the whole.
 shown :: Value -> Text

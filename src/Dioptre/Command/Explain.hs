@@ -23,6 +23,7 @@ import Dioptre.Load (Loaded (..), loadScene, storyAt)
 import Dioptre.Scene (sceneViewport)
 import Dioptre.Scene.Camera (viewportHeight, viewportWidth)
 import Dioptre.Source.Language (inLanguage)
+import Dioptre.Source.Phrase (safe)
 import System.Exit (ExitCode (..))
 
 -- | Prints the story of the pixel at a column and a row of a scene's picture on standard output; what is wrong with the
@@ -41,7 +42,7 @@ explain journal format path column row = do
         Nothing -> ExitFailure 2 <$ sayFault journal (outside (sceneViewport (loadedScene loaded)))
         Just story -> do
           case format of
-            AsText -> Text.putStr (storyText l name story)
+            AsText -> Text.putStr (Text.unlines (map safe (Text.lines (storyText l name story))))
             AsJson -> Lazy.putStrLn (encode (storyJson name story))
           pure ExitSuccess
   where

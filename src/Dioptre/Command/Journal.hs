@@ -11,7 +11,6 @@ module Dioptre.Command.Journal
     newJournal,
     journalLanguage,
     journalWith,
-    say,
     sayText,
     sayFault,
     sayDiagnostics,
@@ -32,6 +31,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Lazy as Lazy
 import Dioptre.Source.Diagnostic (Diagnostic)
 import Dioptre.Source.Language (Language)
+import Dioptre.Source.Phrase (safe)
 import qualified Dioptre.Source.Report as Report
 import Dioptre.Source.Text (Source)
 import GHC.IO.Exception (IOErrorType (ResourceVanished), ioe_type)
@@ -88,8 +88,9 @@ sayDiagnostics journal files = do
   where
     l = journalLanguage journal
 
+-- | Lines, in which nothing commands the terminal.
 paragraphs :: Text -> Doc Report.Style
-paragraphs = fold . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"
+paragraphs = fold . zipWith (<>) ("" : repeat hardline) . map (pretty . safe) . Text.splitOn "\n"
 
 -- | Everything that was said, line by line.
 --

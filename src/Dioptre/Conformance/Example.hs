@@ -23,7 +23,6 @@ module Dioptre.Conformance.Example
   ( -- * Rules
     Rule (..),
     chapter,
-    takesText,
 
     -- * Faults
     ChapterFault (..),

@@ -189,7 +189,7 @@ isScalar expectation = case expectation of
 headOf :: Text -> Head
 headOf word = Head (Span 1 1 (1 + Text.length word)) word (fromSpelling word)
 
--- | A number as a result; a complaint if it is NaN or infinite, which cannot be sent.
+-- | A number as a result, and 0 for -0, by a sum with 0; a complaint if it is NaN or infinite, which cannot be sent.
 --
 -- Spec: protocol.refused, numbers.not-finite.
 real :: Double -> Parser Value

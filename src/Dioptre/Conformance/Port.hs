@@ -35,7 +35,7 @@ import Data.Text (Text)
 import qualified Data.Text.Encoding as Text
 import Data.Text.Encoding.Error (lenientDecode)
 import Dioptre.Conformance.Lines (Line (..), Lines, linesOf, nextLine)
-import Dioptre.Files.Fault (FileFault, orFault)
+import Dioptre.Files.Fault (FileFault, orFault, quietly)
 import System.Exit (ExitCode (..))
 import System.IO (BufferMode (NoBuffering), Handle, hClose, hSetBinaryMode, hSetBuffering)
 import System.Posix.Signals (sigKILL, signalProcessGroup)
@@ -96,13 +96,6 @@ withPort longest command arguments work =
 -- | Kills a process group, if it is still there.
 kill :: Maybe Pid -> IO ()
 kill = traverse_ (quietly . signalProcessGroup sigKILL)
-
--- | Work of which it does not matter whether the other side is still there.
-quietly :: IO () -> IO ()
-quietly = handle ignore
-  where
-    ignore :: IOException -> IO ()
-    ignore _ = pure ()
 
 write :: Handle -> Chan (Maybe Lazy.ByteString) -> IO ()
 write input queue =

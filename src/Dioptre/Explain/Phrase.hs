@@ -12,15 +12,13 @@ module Dioptre.Explain.Phrase
     theThing,
 
     -- * Numbers
-    number,
-    counted,
     real,
     vec,
     triple,
     pair,
     rayIn,
     degrees,
-    nearest,
+    smallestText,
 
     -- * Colours
     colour,
@@ -38,6 +36,7 @@ import Dioptre.Math.Tolerance (smallestParameter)
 import Dioptre.Math.Vector (Vector)
 import Dioptre.Picture.Byte (Pixel (..))
 import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Phrase (number)
 import Dioptre.Syntax.Keyword (Keyword)
 import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Value (showReal)
@@ -76,14 +75,6 @@ kindText l kind = case kind of
   where
     say = inLanguage l
 
--- | A whole number.
-number :: Int -> Text
-number = Text.pack . show
-
--- | A number of things: singular and plural, in English and French.
-counted :: Language -> Int -> (Text, Text) -> (Text, Text) -> Text
-counted l n en fr = number n <> " " <> inLanguage l (if n == 1 then fst en else snd en) (if n < 2 then fst fr else snd fr)
-
 -- | A real number: all of them are written here.
 real :: Double -> Text
 real x = showReal (if x == 0 then 0 else x)
@@ -117,10 +108,10 @@ degrees a = real (a * 180 / pi) <> "°"
 
 -- | The parameter that a ray must exceed to meet anything.
 --
--- >>> nearest
+-- >>> smallestText
 -- "1e-8"
-nearest :: Text
-nearest = Text.replace ".0e" "e" (showReal smallestParameter)
+smallestText :: Text
+smallestText = Text.replace ".0e" "e" (showReal smallestParameter)
 
 -- | Origin and direction of a ray, in two lines that begin with this.
 rayIn :: Text -> Ray -> [Text]

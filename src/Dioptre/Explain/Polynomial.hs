@@ -293,5 +293,3 @@ countedFrom (condition, roots) t0 = (condition, [(t0 + x, measure) | (x, measure
 -- | A letter, and what it is.
 is :: Text -> Text -> Text
 is letter value = letter <> " = " <> value
-
--- | A vector, as scenes have it.

@@ -174,7 +174,7 @@ follow setting cause depth weight@(wr, wg, wb) index r (Count before cut) =
     (after, hit, own) = case struck of
       Nothing -> (Count (before + 1) cut, Nothing, black)
       Just (surface@(Surface shape f), found) ->
-        let p = unpacked (packed (position r t))
+        let p = position r t
             outward = normalAt shape r t
             n = shadingNormal r outward
             colours = coloursAt surface r t

@@ -19,6 +19,7 @@ import qualified Data.Text as Text
 import Dioptre.Explain.Phrase
 import Dioptre.Explain.Story
 import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Phrase (counted, number)
 
 -- | How many shapes are told one by one where there are many.
 shapesTold :: Int
@@ -118,7 +119,7 @@ verdictText l verdict = case verdict of
       NoRoot -> say "there is no real root, the line passes beside it" "il n'y a pas de racine réelle, la droite passe à côté"
       NotOnShape -> say "the line passes beside it" "la droite passe à côté"
       IsBehind -> say "it is behind the origin of the ray (t < 0)" "derrière l'origine du rayon (t < 0)"
-      IsTooNear -> say "only where the ray starts (t <= " "seulement là où le rayon part (t <= " <> nearest <> ")"
+      IsTooNear -> say "only where the ray starts (t <= " "seulement là où le rayon part (t <= " <> smallestText <> ")"
       IsBeyondFar -> say "it is beyond the far clipping plane" "au-delà du plan de coupure éloigné"
   where
     say = inLanguage l
@@ -128,7 +129,7 @@ fateText l fate = case fate of
   Taken -> say "kept" "gardée"
   Later -> say "later" "plus tard"
   Behind -> say "negative: behind the origin" "négative\xA0: derrière l'origine"
-  TooNear -> say "too near: at most " "trop proche\xA0: au plus " <> nearest
+  TooNear -> say "too near: at most " "trop proche\xA0: au plus " <> smallestText
   BeyondFar -> say "too far: not before the far clipping plane" "trop loin\xA0: pas avant le plan de coupure éloigné"
   Outside -> say "outside" "à l'extérieur"
   where

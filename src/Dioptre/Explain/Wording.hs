@@ -24,6 +24,7 @@ import Dioptre.Math.Vector (vector)
 import Dioptre.Picture.Byte (Pixel (..))
 import Dioptre.Scene.Raytracer (ColourNormalization (..), Raytracer (..), algorithmName, mostRays)
 import Dioptre.Source.Language (Language, inLanguage)
+import Dioptre.Source.Phrase (counted, number)
 import Linear.V2 (V2 (..))
 
 -- | The story, in lines, with the name of the scene.
@@ -145,7 +146,7 @@ sampleText l story several k sample =
 numberedRays :: Text -> RayStory -> [(Text, RayStory)]
 numberedRays name0 r0 = from (name0, r0) []
   where
-    from (name, r) rest = (name, r) : foldr from rest [(name <> "." <> number k, next) | (k, next) <- zip [1 ..] (nextRays r)]
+    from (name, r) rest = (name, r) : foldr from rest [(name <> "." <> number k, next) | (k, next) <- zip [1 :: Int ..] (nextRays r)]
 
 nextRays :: RayStory -> [RayStory]
 nextRays r = [next | Just hit <- [rayHit r], Bounce {bounceSequel = Followed _ next} <- hitBounces hit]
@@ -165,7 +166,7 @@ rayText :: Language -> Story -> Text -> RayStory -> [Text]
 rayText l story name r =
   [say "Ray " "Rayon " <> name <> ", " <> causeText l (rayCause r) <> "        r(t) = o + t d"]
     <> rayIn "  " (rayItself r)
-    <> [say "  for t from " "  pour t de " <> nearest <> say " to " " à " <> real (storyFar story) <> reach | isFirst]
+    <> [say "  for t from " "  pour t de " <> smallestText <> say " to " " à " <> real (storyFar story) <> reach | isFirst]
     <> [say "  weight " "  poids " <> triple (rayWeight r) <> say "; refractive index around it " "\xA0; indice de réfraction autour de lui " <> real (rayIndex r) | not isFirst]
     <> [""]
     <> trialsText l isFirst r

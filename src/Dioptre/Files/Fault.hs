@@ -22,11 +22,12 @@ module Dioptre.Files.Fault
 
     -- * From exceptions
     orFault,
+    quietly,
     reasonOf,
   )
 where
 
-import Control.Exception (try)
+import Control.Exception (handle, try)
 import Data.Bifunctor (first)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -70,6 +71,14 @@ data Reason
 -- asynchronous ones among them, are not caught.
 orFault :: FilePath -> IO a -> IO (Either FileFault a)
 orFault path action = first (FileFault path . reasonOf) <$> try action
+
+-- | Work that is wanted, and of which it does not matter whether it can be done: closing a file that has failed already,
+-- removing one that was renamed, writing to somebody who may have gone.
+quietly :: IO () -> IO ()
+quietly = handle ignore
+  where
+    ignore :: IOException -> IO ()
+    ignore _ = pure ()
 
 -- | The reason that an exception gives. Total: what is not on the list is 'OtherReason'.
 --

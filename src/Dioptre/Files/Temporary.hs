@@ -15,11 +15,12 @@ module Dioptre.Files.Temporary
   )
 where
 
-import Control.Exception (IOException, bracket, finally, handle)
+import Control.Exception (bracket, finally)
 import Control.Monad (when)
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
 import Dioptre.Files.Contents (Contents)
+import Dioptre.Files.Fault (quietly)
 import System.IO (hClose, openBinaryTempFileWithDefaultPermissions)
 import System.Posix.Files
   ( accessModes,
@@ -54,10 +55,3 @@ permit :: FilePath -> FileMode -> IO ()
 permit path wanted = do
   status <- getFileStatus path
   when (intersectFileModes accessModes (fileMode status) /= wanted) (setFileMode path wanted)
-
--- | Ignores failure: of closing a file that has failed already, of removing one that was renamed.
-quietly :: IO () -> IO ()
-quietly = handle ignore
-  where
-    ignore :: IOException -> IO ()
-    ignore _ = pure ()

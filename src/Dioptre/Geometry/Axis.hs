@@ -46,7 +46,8 @@ axis a b
   | otherwise = Just (Axis a b)
 
 -- | The length of an axis, H, which is not zero: where the points are so near that the squares of their differences
--- vanish (below 1e-154), those are scaled by a power of two first.
+-- may lose digits or vanish (below 1e-154; below 1e-140 it makes no difference), those are scaled by a power of two
+-- first.
 --
 -- Spec: geometry.axis.length.
 axisLength :: Axis -> Double

@@ -58,7 +58,7 @@ handful shapes =
 
 -- | What a ray meets first, nearer than a bound.
 --
--- Law: as offering every shape. Cost: an equation for each shape.
+-- Law: the first of what all shapes are met at. Cost: an equation for each shape.
 closestInHandful :: Handful -> Ray -> Double -> Closest
 closestInHandful h !r !bound = amongOthers 0 (-1) bound
   where

@@ -165,10 +165,11 @@ hierarchy n boxOf
     bounded = filterPrimArray hasBox everything
     unbounded = filterPrimArray (not . hasBox) everything
     everything = generatePrimArray n id
-    -- Where there is no box, the six numbers are zero but for the first, which is infinite. A box that is infinite
-    -- itself, as that of a shape whose size left the range on its way through nested frames, has no centre: it counts
-    -- as none.
-    hasBox i = all (\k -> abs (indexPrimArray boxes (6 * i + k)) < infinity) [0 .. 5]
+    -- Where there is no box, the six numbers are zero but for the first, which is infinite. So may be the box of a shape
+    -- whose size left the range on its way through nested frames. Beyond some 1e150 the areas of boxes are infinite, by
+    -- which they are arranged: what reaches 1e140 counts as without a box.
+    hasBox i = all (\k -> abs (indexPrimArray boxes (6 * i + k)) < vast) [0 .. 5]
+    vast = 1e70 * 1e70
     boxes = runPrimArray $ do
       target <- newPrimArray (6 * n)
       let fill !i = when (i < n) $ do

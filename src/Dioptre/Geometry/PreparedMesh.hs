@@ -182,7 +182,7 @@ cornerNormal m i k
   where
     j = attribute (meshCornerNormals m) i k
 
--- | The normal of a number, as the mesh has it.
+-- | The normal of a number, as the mesh has it: numbers of corners are below those of normals ("Dioptre.Geometry.Mesh").
 meshNormal :: Mesh -> Int -> Vector
 meshNormal m j = V3 (meshNormals m Vector.! (3 * j)) (meshNormals m Vector.! (3 * j + 1)) (meshNormals m Vector.! (3 * j + 2))
 

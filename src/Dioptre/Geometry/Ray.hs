@@ -56,7 +56,7 @@ directionQuadrance (Ray _ _ q) = q
 
 -- | The point at a parameter, r(t) = o + t d; behind the origin where t is negative.
 --
--- Law: moving the origin moves every position by the same vector.
+-- Law: it is within a few roundings of its terms of the exact point.
 --
 -- >>> position (ray (V3 1 2 3) (V3 0 0 2)) 1.5
 -- V3 1.0 2.0 6.0

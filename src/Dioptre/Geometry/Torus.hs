@@ -145,7 +145,7 @@ torusLine p n major minor r = TorusLine l t0 (l / m) (quadrance q) (dot (vector 
 {-# INLINE torusLine #-}
 
 -- | The power of two with the same exponent: the unit of length, in which R + r is between 1 and 2, and to which
--- everything is brought without rounding.
+-- everything is brought without rounding; for normal numbers.
 powerBelow :: Double -> Double
 powerBelow x = castWord64ToDouble (castDoubleToWord64 x .&. 0x7ff0000000000000)
 {-# INLINE powerBelow #-}

@@ -74,8 +74,7 @@ tubeParameters p1 s h radius r =
 -- | Where a ray's line meets the infinite tube around the axis S through a point P, of radius R: where it enters and
 -- where it leaves. A ray along the axis does not meet it.
 --
--- Law: a negative radius gives what its opposite gives; radius 0 is met by lines through the axis, twice at one
--- parameter.
+-- Law: radius 0 is met by lines through the axis, twice at one parameter.
 --
 -- Spec: geometry.tube.line-parameters, geometry.tube.along-axis.
 tubeLineParameters :: Point -> Unit -> Double -> Ray -> [Double]

@@ -105,9 +105,9 @@ marked p criticals = zipWith3 mark criticals touching (zipWith (||) (False : tou
 touches :: Polynomial -> Zero -> Bool
 touches p (Zero c m) = closeInPlace && smallInValue
   where
-    -- p(c)| <= 3/4 2^(-25 (m + 1)) |T c^(m + 1)|
+    -- where |p(c)| <= 3/4 2^(-25 (m + 1)) |T c^(m + 1)|
     closeInPlace = 4 * value `shiftL` (mergingBits * (m + 1)) <= 3 * term
-    -- p(c)| <= 8 eps s
+    -- where |p(c)| <= 8 eps s
     smallInValue = value `shiftL` residualBits <= sizes
     at@(Dyadic n k) = dyadic c
     value = abs (valueAt p at)

@@ -90,8 +90,9 @@ cubicRoots a b c d
 -- >>> quarticRoots 1 0 0 0 1
 -- []
 --
--- Cost: about a microsecond, and some hundred bytes. Where coefficients differ by more than 2^60 in size, or three
--- roots or more nearly coincide, whole numbers do the work, in milliseconds.
+-- Cost: about a microsecond, and some hundred bytes. Whole numbers do the work, in milliseconds, where three
+-- roots or more nearly coincide; and where of the largest coefficient the leading one is less than 2^-60, the last one
+-- less than 2^-200, or another, other than zero, less than 2^-400.
 --
 -- Spec: numbers.not-finite, numbers.tolerances.only, roots.total, roots.ascending, roots.degree, roots.finite,
 --   roots.no-negative-zero, roots.scale, roots.quartic.count, roots.multiple, roots.residual, roots.simple,
@@ -116,7 +117,7 @@ withZero roots = let (below, above) = span (< 0) roots in below ++ 0 : above
 -- leading one positive; then solved in binary64 if their sizes allow it, and if that leaves no doubt. See Note [Sizes].
 scaled :: (Double -> Double -> Double -> Double -> Double -> Chain) -> Double -> Double -> Double -> Double -> Double -> [Double]
 scaled solve a b c d e
-  | abs lead >= 0x1p-60 && abs e' >= 0x1p-100 * 0x1p-100 && negligible b' && negligible c' && negligible d' =
+  | abs lead >= 0x1p-60 && abs e' >= 0x1p-100 * 0x1p-100 && harmless b' && harmless c' && harmless d' =
     case solve a' b' c' d' e' of
       Unsure -> exactRoots coefficients
       chain -> listed chain
@@ -141,7 +142,7 @@ scaled solve a b c d e
     !d' = k' * (j * d)
     !e' = k' * (j * e)
     !lead = if a == 0 then b' else a'
-    negligible x = x == 0 || abs x >= small * small * small * small
+    harmless x = x == 0 || abs x >= small * small * small * small
 {-# INLINE scaled #-}
 
 -------------------------------------------------------------------------------
@@ -176,7 +177,7 @@ data Poly = Poly !Double !Double !Double !Double !Double !Double
 
 -- | A polynomial at a place.
 data Value = Value
-  { -- | Its value, to 2^-40 of itself or better, or to @doubt@.
+  { -- | Its value: to 2^-6 of itself where it was computed once, to 2^-40 or better with twice the digits, or to @doubt@.
     value :: !Double,
     -- | The sum of the absolute values of its terms.
     size :: !Double,

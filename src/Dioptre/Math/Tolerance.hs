@@ -62,16 +62,17 @@ collinearSine :: Double
 collinearSine = 0x1p-50
 
 -- | A ray whose angle with a plane has a sine of at most this is parallel to it: 2^-50. The components of a unit normal
--- carry an error of 2^-52 of themselves, and \<n, d> one of 3 2^-53 of its terms, whose sum is at most |d|: together
--- less than 2^-50 |d|, so that below it the sign of \<n, d> is noise.
+-- carry an error of 3.5 2^-53 of themselves ('Dioptre.Math.Vector.valid'), and \<n, d> one of 3 2^-53 of its terms,
+-- whose sum is at most |d|: together less than 2^-50 |d|, so that below it the sign of \<n, d> is noise.
 --
 -- Spec: numbers.tolerances, geometry.plane.parallel.
 parallelSine :: Double
 parallelSine = 0x1p-50
 
--- | The part of its size within which a point is on the surface of a sphere or cube, neither inside nor outside: a hit
--- point is off by a few roundings of the numbers that it was computed from, which this exceeds for scenes up to some
--- 10^5 times as large as the shape.
+-- | The part of its size within which a point is on the surface of a sphere, a cube or a face of a lens, neither inside
+-- nor outside. A hit point of a cube is off by a few roundings of the numbers that it was computed from, which this
+-- exceeds for scenes up to some 10^5 times as large as the shape; of a sphere, by a rounding of their squares, for
+-- scenes up to some 10^3 times as large.
 --
 -- Spec: numbers.tolerances, geometry.sphere.contains, geometry.cube.contains, geometry.contains.surface.
 surfaceThickness :: Double
@@ -117,7 +118,7 @@ cornerSlack :: Double
 cornerSlack = 0x1p-48
 
 -- | The parameters at which a ray leaves a box, and the one up to which it is asked for, are larger by this part:
--- 2^-50, which is 8 roundings. (Note [Slack of the slabs] of "Dioptre.Geometry.Bounds".)
+-- 2^-50, which is 8 roundings. (Note [Slack of the slabs] of "Dioptre.Geometry.Box".)
 slabSlack :: Double
 slabSlack = 0x1p-50
 

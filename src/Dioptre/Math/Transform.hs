@@ -112,7 +112,7 @@ rotation (V3 x y z) =
     (cy, sy) = cosineAndSine y
     (cz, sz) = cosineAndSine z
 
--- | The rows of L = Rz Ry Rx S: each column of the rotation, times its factor.
+-- | The rows of L = Rz Ry Rx S: each column of the rotation, times its factor; and 0 for -0, by a sum with 0.
 --
 -- Spec: transform.tolerance.
 linearPart :: Transform -> V3 Vector

@@ -62,7 +62,7 @@ type Point = V3 Double
 
 -- | The dot product, (a_x b_x + a_y b_y) + a_z b_z.
 --
--- Law: bilinear; zero for orthogonal vectors.
+-- Law: where nothing is rounded, bilinear, and zero for orthogonal vectors.
 --
 -- Spec: numbers.binary64, numbers.order, vector.dot.
 dot :: Vector -> Vector -> Double
@@ -99,7 +99,7 @@ infixl 7 *^, ^/
 (^/) = (Linear.^/)
 {-# INLINE (^/) #-}
 
--- | The length of a vector, sqrt ((x x + y y) + z z). It overflows beyond 1e154 and loses digits below 1e-146:
+-- | The length of a vector, sqrt ((x x + y y) + z z). It overflows beyond 1e154 and loses digits below 1.5e-154:
 -- the scene language admits no component above 1e100 ("Dioptre.Syntax.Value").
 --
 -- >>> modulus (V3 2 3 6)

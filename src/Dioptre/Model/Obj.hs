@@ -34,7 +34,6 @@ module Dioptre.Model.Obj
     Obj (..),
     Named (..),
     Counts (..),
-    defaultMaterial,
 
     -- * Reading
     readObj,
@@ -59,7 +58,7 @@ import Dioptre.Geometry.Mesh (Mesh)
 import Dioptre.Model.Obj.Faces (Counts (..), Faces, countsOf, face, facesTriangles, newFaces, toldOfFaces)
 import Dioptre.Model.Obj.Faults (Faults, newFaults, report, shownLines, told)
 import Dioptre.Model.Obj.Lines (Line (..), Lines, endLines, feedLines, longestLine, mostLines, newLines)
-import Dioptre.Model.Obj.Materials (Materials, Named (..), defaultMaterial, librariesNamed, materialLibrary, materialsInUse, mostLibraries, newMaterials, useMaterial)
+import Dioptre.Model.Obj.Materials (Materials, Named (..), librariesNamed, materialLibrary, materialsInUse, mostLibraries, newMaterials, useMaterial)
 import Dioptre.Model.Obj.Triangles (meshOf)
 import Dioptre.Model.Obj.Vertices (Vertices, newVertices, normal, textureCoordinate, vertex)
 import Dioptre.Model.Words (blanksFrom, byteAt, isBlank)

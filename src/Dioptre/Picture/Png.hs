@@ -27,7 +27,6 @@ import Data.Char (toLower)
 import Data.IORef (newIORef, readIORef, writeIORef)
 import qualified Data.Vector.Storable as Storable
 import Data.Word (Word8)
-import Dioptre.Files.Contents (Contents)
 import Dioptre.Picture (Picture, picture, pictureBytes, pictureHeight, pictureWidth)
 import Dioptre.Picture.Header (Format (..), formatOf, isTooLarge, mayBeTga, pixelsOf)
 import Dioptre.Picture.Vetting (vetted)
@@ -51,7 +50,7 @@ encode p = encodePng (Image (pictureWidth p) (pictureHeight p) (pictureBytes p) 
 -- Cost: 256 kB and a row of memory, and no more bytes at once than zlib gives.
 --
 -- Spec: picture.png.
-encodeRows :: Int -> Int -> ((Storable.Vector Word8 -> IO ()) -> IO a) -> Contents a
+encodeRows :: Int -> Int -> ((Storable.Vector Word8 -> IO ()) -> IO a) -> (ByteString -> IO ()) -> IO a
 encodeRows w h rows put = do
   put (Lazy.toStrict (Binary.encode (PngRawImage size [])))
   deflating <- newIORef (compressIO zlibFormat defaultCompressParams)

@@ -4,7 +4,7 @@
 
 -- |
 -- Module      : Dioptre.Render.Closest
--- Description : What a ray meets first
+-- Description : The search for what a ray meets first
 --
 -- The question that a ray tracer asks most. In a small world everything is tried, one shape after the other; in others
 -- the ray is led through boxes, into the frames of models and to their triangles ("Dioptre.Geometry.Hierarchy").
@@ -68,6 +68,7 @@ closestInstance g r c = case descend (boxes a) (approach r) within range c of
   Tried found _ -> found
   where
     a = groupInstances g
+    -- Places are below the number of things.
     range from end found = foldl' (\f place -> closestPlaced (Vector.unsafeIndex (things a) place) r f) found [from .. end - 1]
 
 closestPlaced :: Placed -> Ray -> Closest -> Closest

@@ -93,6 +93,7 @@ obstaclesInInstances g first r !bound before = case descend (boxes a) (approach 
   Tried found _ -> found
   where
     a = groupInstances g
+    -- Places are below the number of things.
     range from end found = foldl' each found [from .. end - 1]
     each found place
       | obstaclesOpaque found = found

@@ -43,7 +43,7 @@ import Dioptre.Render.Texture (Texture)
 import Dioptre.Render.World (World)
 import Dioptre.Scene.Raytracer (mostRays)
 
--- | What a ray sees.
+-- | What a ray sees, or the rays of a pixel in the mean.
 data Seen = Seen
   { seenColour :: {-# UNPACK #-} !Colour,
     -- | What it took.
@@ -64,7 +64,7 @@ unlit s far r = case closest (stageWorld s) r far of
 
 -- | With light: what the ray sees, up to the stage's depth, no farther than that from the start of each ray.
 --
--- See Note [Rays as a stack] and Note [Numbers that travel].
+-- See Note [Rays as a stack], and Note [Numbers that travel] of "Dioptre.Render.Shade".
 --
 -- Spec: light.opaque, optics.colour, optics.background, optics.depth, optics.secondary.origin, optics.mirror,
 --   optics.body.order, optics.medium.start, optics.budget, optics.budget.stack, optics.sum, camera.background.

@@ -59,7 +59,7 @@ indexAmong w leftOut p = case map finishIndex (surroundings w leftOut p) of
 surroundingIn :: Group -> Int -> Point -> [(Int, Finish Texture)] -> [(Int, Finish Texture)]
 surroundingIn g first p = within' (groupInstances g) inInstance . within' (groupShapes g) inShape
   where
-    -- A ray that goes nowhere comes into the boxes that hold its origin.
+    -- A ray that goes nowhere comes into the boxes that hold its origin. (Places are below the number of things.)
     within' a try found = case descend (boxes a) (approach (ray p (V3 1 0 0))) (const 0) range found of
       Tried all' _ -> all'
       where

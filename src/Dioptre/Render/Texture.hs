@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.Render.Texture
 -- Description : Pictures on surfaces
+--
+-- The pictures that a scene names are its assets, each once. A texture is a picture on a surface, and says how it lies
+-- there: v = 0 is in its first row, or for models that ask for it in its last.
 module Dioptre.Render.Texture
   ( Assets,
     Texture (..),

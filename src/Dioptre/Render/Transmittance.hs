@@ -53,8 +53,8 @@ past (Obstacles opaque transparent tests)
     tinted (Transmittance r' g' b' n) f = let Colour x y z _ = finishTint f in Transmittance (capped (r' * x)) (capped (g' * y)) (capped (b' * z)) n
 {-# INLINE past #-}
 
--- | The bound of a shadow ray to a light that is infinitely far. A scene has no number beyond 1e100, and no parameter
--- comes near 1e300. (Infinity has no literal, and 1 \/ 0 would be a value to be looked up; see also Note [Literals] of
+-- | The bound of a shadow ray to a light that is infinitely far. A scene has no number beyond 1e100: only frames that
+-- enlarge one another lead farther away than this, and what is there throws no shadow. (Infinity has no literal, and 1 \/ 0 would be a value to be looked up; see also Note [Literals] of
 -- "Dioptre.Math.Roots".)
 farthest :: Double
 farthest = 1e100 * 1e100 * 1e100

@@ -258,7 +258,8 @@ bodyBox (Assembly g)
 few :: Int
 few = 8
 
--- | Things with their boxes, in their order, arranged.
+-- | Things with their boxes, in their order, arranged. (A hierarchy asks for the boxes of as many as it is told of, and
+-- its order has the number of each once.)
 arranged :: [(Maybe Box, a)] -> Arranged a
 arranged list = Arranged (Vector.map snd pairs) (Vector.map (snd . (pairs Vector.!)) order) h outer
   where

@@ -10,8 +10,8 @@
 -- nothing about an object is said twice.
 --
 -- > sphere                         Schema Keyword.Sphere
--- >   position [0.0, 0.0, 2.0]       one [Keyword.Position] vectorForm ...
--- >   ray 1.5                        one [Keyword.Ray] positive ...
+-- >   position [0.0, 0.0, 2.0]       one Keyword.Position vectorForm ...
+-- >   ray 1.5                        one Keyword.Ray positive ...
 -- > end                              build: sphere
 --
 -- Reading never fails: what cannot be used is told ("Dioptre.Scene.Reporting"), and the value before it stays.
@@ -35,7 +35,6 @@ module Dioptre.Scene.Schema
     writeProperties,
 
     -- * Telling
-    admissible,
     describe,
   )
 where

@@ -25,7 +25,6 @@
 -- reads and writes its own part. Specification: chapter 3.
 module Dioptre.Scene.Shapes
   ( readShape,
-    writeShape,
     describeShapes,
 
     -- * In other objects

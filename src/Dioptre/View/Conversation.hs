@@ -161,7 +161,8 @@ save scene overwriting
   where
     path = showingPath scene
 
--- | A page's message has so many bytes at most: a text in which every character is written in six.
+-- | A page's message has so many bytes at most: room for a text in which every character is written in six, and for
+-- what goes around it.
 longestMessage :: Int
 longestMessage = 8 * longestText
 

@@ -99,8 +99,8 @@ mostPieces = 20
 mostFolders :: Int
 mostFolders = 64
 
--- | The folders in which something may happen to these files; none if there are none. Those that are nearest to the
--- scene come first.
+-- | The folders in which something may happen to these files; none if there are none. Where they are more than
+-- 'mostFolders', those of the files that name others come first, then the ones that are always searched.
 foldersOf :: Sought -> IO (Set FilePath)
 foldersOf sought
   | Map.null sought = pure Set.empty

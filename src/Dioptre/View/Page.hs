@@ -8,7 +8,6 @@
 -- They stand in the folder page and are in the program, so that it needs nothing beside it.
 module Dioptre.View.Page
   ( pageFile,
-    pageFiles,
   )
 where
 

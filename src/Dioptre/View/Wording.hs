@@ -3,6 +3,9 @@
 -- |
 -- Module      : Dioptre.View.Wording
 -- Description : What the viewer says, in English and French
+--
+-- Why a text is not drawn (a complaint), why something that a page asks for is not done (a refusal), and why whoever
+-- asks is not answered at all (a rejection).
 module Dioptre.View.Wording
   ( complaintText,
     Refusal (..),

@@ -8,6 +8,7 @@ module Dioptre.Command.ExplainSpec (spec) where
 import Data.Aeson (Object, Value (..), decode)
 import qualified Data.Aeson.KeyMap as Keys
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isControl)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -56,6 +57,11 @@ spec = do
     code `shouldBe` ExitSuccess
     out `shouldHold` "The pixel is"
     err `shouldHold` "unknown word 'camara'"
+  it "shows nothing that commands a terminal" . inFolder $ do
+    Text.writeFile "s.txt" (scene <> "primitive\nmaterial_name \ESC[2Jm\x9B\nplane\nposition 0 0 3\nnormal 0 0 1\nend\nend\nmaterial\nname \ESC[2Jm\x9B\nend\ncam\ESC[1m\n")
+    (_, out, err) <- heard (told English AsText "s.txt" 1 1)
+    out `shouldHold` "'·[2Jm·'"
+    Text.filter (\c -> isControl c && c /= '\n') (out <> err) `shouldBe` ""
   where
     scene = "viewport\nwidth 3\nheight 2\nend\nraytracer\nreflexion_algorithm no_light\nend\n"
     told l format path column row = newJournal l True >>= \journal -> explain journal format path column row

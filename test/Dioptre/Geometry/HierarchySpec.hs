@@ -38,6 +38,13 @@ spec = do
   it "puts four cubes, of which two and two are side by side, into two leaves" $
     [sort (take (end - from) (drop from (primArrayToList (hierarchyOrder fourCubes)))) | (from, end) <- hierarchyLeaves fourCubes] `shouldBe` [[0, 2], [1, 3]]
 
+  -- Areas of boxes are compared, which from 1e154 on are infinite.
+  it "keeps what is larger than areas can be apart from the rest" $ do
+    let cube size = box (V3 (-size) (-size) (-size)) (V3 size size size)
+        h = hierarchy 40 (\i -> if i < 3 then cube (10 ^^ (149 + 70 * i)) else box (V3 (fromIntegral i) 0 0) (V3 (fromIntegral i + 0.5) 1 1))
+    take 3 (primArrayToList (hierarchyOrder h)) `shouldBe` [0, 1, 2]
+    offeredOf h (ray (V3 7.25 0.5 (-7)) (V3 0 0 2)) `shouldSatisfy` (\items -> all (`elem` items) [0, 1, 2, 7] && length items < 20)
+
   -- Each takes a fraction of a second; what is quadratic in the number of items takes hours.
   describe "of a hundred thousand boxes, in less than 20 seconds" $ do
     let many = 100000
