@@ -12,12 +12,16 @@ module Dioptre.Render
   )
 where
 
+import Control.Exception (evaluate)
+import Control.Monad (zipWithM_)
+import Data.List (foldl')
 import qualified Data.Vector.Storable as Storable
 import qualified Data.Vector.Storable.Mutable as Mutable
 import Dioptre.Picture (Picture, picture)
 import Dioptre.Render.Parallel (foldInOrder)
 import Dioptre.Render.Row (Plan, Row (..), planHeight, planWidth, row)
 import Dioptre.Render.Tally (Tally)
+import GHC.Clock (getMonotonicTime)
 
 -- | The picture of a plan: all its rows, from the top.
 --
@@ -31,7 +35,7 @@ rendered p = picture (planWidth p) (Storable.concat [rowBytes (row p y) | y <- [
 renderWith :: Int -> IO () -> Plan -> IO (Picture, Tally)
 renderWith workers done p = do
   target <- Mutable.new (stride * planHeight p)
-  tally <- renderRows workers p $ \y r -> do
+  (tally, _) <- renderRows workers p $ \y r -> do
     Storable.copy (Mutable.slice (stride * y) stride target) (rowBytes r)
     done
   -- Nobody writes to the target any more.
@@ -40,13 +44,28 @@ renderWith workers done p = do
   where
     stride = 4 * planWidth p
 
--- | The rows of the same picture by that many workers, handed over one by one from the top, with their numbers.
+-- | The rows of the same picture by that many workers, handed over one by one from the top, with their numbers, in
+-- the thread that calls this. Tells what they took, and for how many seconds each worker computed them in the mean.
 --
 -- Cost: 'rowsAhead' rows in memory, however many the picture has.
-renderRows :: Int -> Plan -> (Int -> Row -> IO ()) -> IO Tally
-renderRows workers p receive = foldInOrder workers (rowsAhead workers (planWidth p)) (planHeight p) (row p) hand mempty
+renderRows :: Int -> Plan -> (Int -> Row -> IO ()) -> IO (Tally, Double)
+renderRows workers p receive = do
+  (tally, spent) <- foldInOrder workers (max (2 * workers) (rowsAhead workers (planWidth p) `div` atOnce)) pieces piece hand (mempty, 0)
+  pure (tally, spent / fromIntegral (max 1 (min workers pieces)))
   where
-    hand tally y r = (tally <> rowTally r) <$ receive y r
+    -- Rows of a few pixels are computed several at once: handing over takes a microsecond.
+    atOnce = max 1 (4096 `div` max 1 (planWidth p))
+    pieces = (planHeight p + atOnce - 1) `div` atOnce
+    piece k = do
+      began <- getMonotonicTime
+      rows <- traverse (evaluate . row p) [k * atOnce .. min (planHeight p) ((k + 1) * atOnce) - 1]
+      ended <- getMonotonicTime
+      pure (rows, ended - began)
+    hand (before, spent) k (rows, seconds) = do
+      zipWithM_ receive [k * atOnce ..] rows
+      let tally = foldl' (\sum' r -> sum' <> rowTally r) before rows
+          total = spent + seconds
+      tally `seq` total `seq` pure (tally, total)
 
 -- | How many rows of that width may be in memory for so many workers: enough that nobody waits for a row that takes
 -- long, and no more than 4 MB of them if that is two for each worker.

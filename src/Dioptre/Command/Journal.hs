@@ -20,7 +20,7 @@ module Dioptre.Command.Journal
   )
 where
 
-import Control.Exception (catch, throwIO)
+import Control.Exception (IOException, catch, throwIO, try)
 import Control.Monad (forM_, when)
 import Data.Foldable (fold, toList)
 import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
@@ -29,6 +29,7 @@ import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as Lazy
+import Dioptre.Files.Fault (quietly)
 import Dioptre.Source.Diagnostic (Diagnostic)
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Phrase (safe)
@@ -116,6 +117,10 @@ withProgress journal label n work = do
   terminal <- hIsTerminalDevice stderr
   if terminal && speaks journal
     then do
-      bar <- newProgressBar defStyle {stylePrefix = msg (Lazy.fromStrict label), styleWidth = TerminalWidth 80} 10 (Progress 0 n ())
-      work (incProgress bar 1)
+      -- A picture is not lost with the terminal that its bar was on.
+      bar <- try (newProgressBar defStyle {stylePrefix = msg (Lazy.fromStrict label), styleWidth = TerminalWidth 80} 10 (Progress 0 n ()))
+      work (either unseen (\b -> quietly (incProgress b 1)) bar)
     else work (pure ())
+  where
+    unseen :: IOException -> IO ()
+    unseen _ = pure ()

@@ -89,10 +89,10 @@ render journal options = do
     l = journalLanguage journal
     drawn reading scene planned = do
       (indexing, size) <- timed (evaluate (planExtent planned))
-      (drawing, outcome) <- timed (write scene (traced journal planned))
+      outcome <- write scene (traced journal planned)
       case outcome of
         Left fault -> ExitFailure 3 <$ sayFault journal fault
-        Right (path, Traced tally tracing) -> do
+        Right (path, Traced tally tracing writing) -> do
           mapM_ (sayText journal . misnomer l) (falseEnding options)
           sayCut journal tally
           sayText journal $
@@ -104,7 +104,7 @@ render journal options = do
                 inLanguage l ", tracing " ", tracé ",
                 seconds tracing,
                 inLanguage l ", writing " ", écriture ",
-                seconds (drawing - tracing)
+                seconds writing
               ]
           Text.putStrLn (Text.pack path)
           pure ExitSuccess

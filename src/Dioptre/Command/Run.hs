@@ -199,7 +199,7 @@ framed journal inputs configuration = withSource journal inputs configuration $ 
         progress <- readTVarIO (frameProgress shown)
         image <- framePicture shown
         code <- leave journal inputs configuration (loadedScene loaded) $ \put ->
-          Traced (progressTally progress) (progressSeconds progress) <$ contents (encode image) put
+          Traced (progressTally progress) (progressSeconds progress) . fst <$> timed (contents (encode image) put)
         code <$ awaitDeparture viewer
   where
     l = journalLanguage journal
@@ -218,13 +218,13 @@ sayScene journal loaded end = do
 -- | Leaves what an application leaves of a scene and its picture: the picture, its number, and the scene.
 leave :: Journal -> Inputs -> Configuration -> Scene -> Contents Traced -> IO ExitCode
 leave journal inputs configuration scene image = do
-  (drawing, outcome) <- timed (writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) image)
+  outcome <- writeNumbered "." (viewportImage (sceneViewport scene)) (firstNumber configuration) image
   case outcome of
     Left fault -> failed journal (numberingFault l fault)
-    Right ((path, used), Traced tally tracing) -> do
+    Right ((path, used), Traced tally tracing writing) -> do
       sayText journal (inLanguage l "traced in " "tracée en " <> seconds tracing <> inLanguage l ": " "\xA0: " <> statistics l (tallyRays tally) (tallyTests tally))
       sayCut journal tally
-      sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds (drawing - tracing))
+      sayText journal (inLanguage l "picture '" "image '" <> Text.pack path <> inLanguage l "' written in " "' écrite en " <> seconds writing)
       Text.putStrLn (Text.pack path)
       hFlush stdout
       worse <$> count journal (next used) <*> saved journal inputs (Text.unpack (configurationWrite configuration)) (writeScene scene)

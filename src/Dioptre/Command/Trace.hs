@@ -16,7 +16,6 @@ module Dioptre.Command.Trace
 where
 
 import Control.Monad (when)
-import Data.IORef (modifyIORef', newIORef, readIORef)
 import qualified Data.Text as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayText, withProgress)
 import Dioptre.Files.Contents (Contents)
@@ -29,25 +28,20 @@ import Dioptre.Source.Language (inLanguage)
 import GHC.Clock (getMonotonicTime)
 import GHC.Conc (getNumCapabilities)
 
--- | What tracing a picture took, and for how many seconds.
-data Traced = Traced {tracedTally :: !Tally, tracedSeconds :: !Double}
+-- | What tracing a picture took, for how many seconds, and for how many more its file was made and written.
+data Traced = Traced {tracedTally :: !Tally, tracedSeconds :: !Double, writtenSeconds :: !Double}
 
 -- | The file of a plan's picture, traced by all processors, with a bar that shows how far it is.
 --
--- Workers write as they trace (see "Dioptre.Render.Parallel"). What the writing takes them is told apart: of so many
--- workers, each spent one part of that, and the rest of the time tracing.
+-- It is written while it is traced (see "Dioptre.Render.Parallel"). What counts as tracing is how long each processor
+-- computed rows, in the mean, and as writing what is left of the time.
 traced :: Journal -> Plan -> Contents Traced
 traced journal planned put = do
-  workers <- min (planHeight planned) <$> getNumCapabilities
-  written <- newIORef 0
-  let row receive done _ r = do
-        (spent, ()) <- timed (receive (rowBytes r))
-        modifyIORef' written (+ spent)
-        done
-      rows receive = withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) (renderRows workers planned . row receive)
-  (seconds, tally) <- timed (encodeRows (planWidth planned) (planHeight planned) rows put)
-  spent <- readIORef written
-  pure (Traced tally (seconds - spent / fromIntegral workers))
+  workers <- getNumCapabilities
+  let rows receive = withProgress journal (inLanguage (journalLanguage journal) "tracing" "tracé") (planHeight planned) $ \done ->
+        renderRows workers planned (\_ r -> receive (rowBytes r) >> done)
+  (both, (tally, tracing)) <- timed (encodeRows (planWidth planned) (planHeight planned) rows put)
+  pure (Traced tally tracing (max 0 (both - tracing)))
 
 -- | How long some work took, in seconds.
 timed :: IO a -> IO (Double, a)

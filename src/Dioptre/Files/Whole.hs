@@ -31,7 +31,9 @@ module Dioptre.Files.Whole
   )
 where
 
-import Control.Exception (bracket, tryJust)
+import Control.Concurrent (forkIO)
+import Control.Concurrent.MVar (newEmptyMVar, putMVar, takeMVar)
+import Control.Exception (IOException, bracket, throwIO, try, tryJust)
 import Control.Monad (guard, join, void)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -44,7 +46,7 @@ import Dioptre.Files.Temporary (withTemporary)
 import Foreign.C.Error (Errno, eISDIR, eLOOP, errnoToIOError)
 import GHC.IO.Handle.FD (openFileBlocking)
 import System.FilePath (takeDirectory, (</>))
-import System.IO (IOMode (ReadMode, WriteMode), hClose, hFlush, stdout)
+import System.IO (BufferMode (NoBuffering), Handle, IOMode (ReadMode, WriteMode), hClose, hFlush, hSetBuffering, stdout)
 import System.IO.Error (isDoesNotExistError)
 import System.Posix.Files
   ( FileStatus,
@@ -78,13 +80,16 @@ writeWhole path write =
       Descriptor descriptor -> do
         hFlush stdout
         writeTo (dup descriptor >>= fdToHandle)
-      Device device -> writeTo (openFileBlocking device WriteMode)
+      Device device -> writeTo (opened device WriteMode)
       Folder -> refuse eISDIR path
       File target mode -> do
         traverse_ (const (checkWritable target)) mode
         fst <$> withTemporary (takeDirectory target) mode write (`rename` target)
   where
-    writeTo open = bracket open hClose (write . Bytes.hPut)
+    -- Nothing is kept back: where a pipe takes no more, closing would wait for it again.
+    writeTo open = bracket open hClose $ \handle -> do
+      hSetBuffering handle NoBuffering
+      write (Bytes.hPut handle)
 
 -- | What would prevent 'writeWhole' from writing a file, as far as can be known before there is anything to write: the
 -- folder is not there or takes no new file, or the file may not be written. Everything stays as it is.
@@ -119,7 +124,7 @@ readThat path allowed =
   fmap join . orFault path $
     getFileStatus path >>= either (pure . Left) upTo . allowed
   where
-    upTo most = bracket (openFileBlocking path ReadMode) hClose (pieces most 0 [])
+    upTo most = bracket (opened path ReadMode) hClose (pieces most 0 [])
     pieces most size before handle = do
       piece <- Bytes.hGetSome handle 262144
       let size' = size + Bytes.length piece
@@ -128,6 +133,14 @@ readThat path allowed =
           | Bytes.null piece -> pure (Right (Bytes.concat (reverse before)))
           | size' > most -> pure (Left (FileFault path (LongerThan most)))
           | otherwise -> pieces most size' (piece : before) handle
+
+-- | Opens a file. A named pipe makes wait until somebody opens its other end. No exception reaches a thread while the
+-- operating system keeps it waiting there, so that it is another one that waits: a signal ends the waiting.
+opened :: FilePath -> IOMode -> IO Handle
+opened path mode = do
+  answer <- newEmptyMVar
+  void (forkIO (try (openFileBlocking path mode) >>= putMVar answer))
+  takeMVar answer >>= either (throwIO :: IOException -> IO a) pure
 
 -- | The most bytes that are read of a file, 2^30: more than any picture, model or scene that can be used.
 --

@@ -1,10 +1,11 @@
+{-# LANGUAGE LambdaCase #-}
+
 -- |
 -- Module      : Dioptre.Render.Parallel
 -- Description : Rows, computed by several workers and handed over in their order
 --
 -- Workers take the next row that nobody has, and compute it with the pure function; rows of uneven cost even out. What
--- is done goes onto a belt, from which it leaves in order, by the hands of whichever worker comes by when the next one
--- lies there:
+-- is done goes onto a belt, from which it leaves in order:
 --
 -- >   handed over |  due                          next
 -- >   0 1 2 3 4 5 |   6    7    8    9   10   11   12
@@ -13,6 +14,9 @@
 --
 -- Nobody begins a row that is too far ahead of the one that is due, so that a picture may have any number of rows:
 -- memory holds only those on the belt.
+--
+-- The first worker is the thread that asked for it all. It alone hands over, and before anything else what is due: who
+-- writes to a disk or a pipe that takes nothing is stopped there, and a signal reaches that thread only.
 module Dioptre.Render.Parallel
   ( foldInOrder,
     workersAmong,
@@ -20,73 +24,73 @@ module Dioptre.Render.Parallel
   )
 where
 
-import Control.Concurrent.Async (replicateConcurrently_)
-import Control.Concurrent.STM (STM, TVar, atomically, check, modifyTVar', newTVarIO, readTVar, readTVarIO, writeTVar)
+import Control.Applicative ((<|>))
+import Control.Concurrent.Async (Async, pollSTM, replicateConcurrently_, wait, withAsync)
+import Control.Concurrent.STM (STM, atomically, modifyTVar', newTVarIO, readTVar, retry, throwSTM, writeTVar)
 import Control.Exception (evaluate)
-import Control.Monad (forM_, when)
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
-import Data.Maybe (fromMaybe, isJust)
+import Data.Maybe (fromMaybe)
 
 -- | What is done and not yet handed over.
-data Belt a b = Belt
+data Belt a = Belt
   { -- | The next number to compute.
     beltNext :: !Int,
     -- | The next number to hand over.
     beltDue :: !Int,
-    beltLying :: !(IntMap a),
-    -- | What came of the values before; 'Nothing' while somebody is handing one over.
-    beltResult :: !(Maybe b)
+    beltLying :: !(IntMap a)
   }
 
--- | @foldInOrder workers ahead n compute receive start@ computes the values of a function at 0, 1, ... n - 1, each once,
--- by that many workers, and hands them over with their numbers, one by one, in their order, as a fold from the left
--- does. At most @ahead@ values (at least 1) are in memory. An exception ends all workers, and is thrown.
+-- | What there is to do.
+data Task a = HandOver !Int a | Compute !Int | Stop
+
+-- | @foldInOrder workers ahead n compute receive start@ computes values for 0, 1, ... n - 1, each once, by that many
+-- workers, and hands them over with their numbers, one by one, in their order, as a fold from the left does. At most
+-- @ahead@ values (at least 1) are in memory. They are handed over in the thread that calls this. An exception ends all
+-- workers, and is thrown.
 --
 -- Law: it is 'Control.Monad.foldM' over the values, whatever the number of workers.
 --
 -- Spec: camera.independent.
-foldInOrder :: Int -> Int -> Int -> (Int -> a) -> (b -> Int -> a -> IO b) -> b -> IO b
+foldInOrder :: Int -> Int -> Int -> (Int -> IO a) -> (b -> Int -> a -> IO b) -> b -> IO b
 foldInOrder workers ahead n compute receive start = do
-  belt <- newTVarIO (Belt 0 0 IntMap.empty (Just start))
-  replicateConcurrently_ (max 1 (min n workers)) (work belt)
-  fromMaybe start . beltResult <$> readTVarIO belt
+  belt <- newTVarIO (Belt 0 0 IntMap.empty)
+  withAsync (replicateConcurrently_ (min n workers - 1) (help belt)) $ \helpers -> do
+    result <- lead belt helpers start
+    result <$ wait helpers
   where
-    work belt = do
-      number <- atomically (taken (max 1 ahead) n belt)
-      forM_ number $ \i -> do
-        value <- evaluate (compute i)
-        atomically (modifyTVar' belt (\b -> b {beltLying = IntMap.insert i value (beltLying b)}))
-        handOver belt
-        work belt
-    handOver belt = do
-      ready <- atomically (picked belt)
-      forM_ ready $ \(before, i, value) -> do
-        after <- receive before i value >>= evaluate
-        atomically (modifyTVar' belt (\b -> b {beltDue = i + 1, beltResult = Just after}))
-        handOver belt
+    lead belt helpers before =
+      atomically (dueOn belt <|> nextOn belt <|> nothingMore belt <|> brokenOff helpers) >>= \case
+        HandOver i value -> do
+          after <- receive before i value >>= evaluate
+          atomically (modifyTVar' belt (\b -> b {beltDue = i + 1}))
+          lead belt helpers after
+        Compute i -> computed belt i >> lead belt helpers before
+        Stop -> pure before
+    help belt =
+      atomically (nextOn belt <|> noneLeft belt) >>= \case
+        Compute i -> computed belt i >> help belt
+        _ -> pure ()
+    computed belt i = do
+      value <- compute i
+      atomically (modifyTVar' belt (\b -> b {beltLying = IntMap.insert i value (beltLying b)}))
 
--- | The next number to compute, once it is near enough to what is due; 'Nothing' if there is none any more.
-taken :: Int -> Int -> TVar (Belt a b) -> STM (Maybe Int)
-taken ahead n belt = do
-  b <- readTVar belt
-  let i = beltNext b
-  if i >= n
-    then pure Nothing
-    else do
-      check (i < beltDue b + ahead)
-      writeTVar belt b {beltNext = i + 1}
-      pure (Just i)
+    -- Each of these waits until it can answer.
+    dueOn belt = do
+      Belt next due lying <- readTVar belt
+      case IntMap.lookup due lying of
+        Just value -> HandOver due value <$ writeTVar belt (Belt next due (IntMap.delete due lying))
+        Nothing -> retry
+    nextOn belt = do
+      Belt next due lying <- readTVar belt
+      if next < n && next < due + max 1 ahead then Compute next <$ writeTVar belt (Belt (next + 1) due lying) else retry
+    noneLeft = finished beltNext
+    nothingMore = finished beltDue
+    finished number belt = readTVar belt >>= \b -> if number b >= n then pure Stop else retry
 
--- | What came before, and the value that is due with its number, if it lies there and nobody else is handing over. Who is will look
--- again afterwards, and so finds what was laid down meanwhile.
-picked :: TVar (Belt a b) -> STM (Maybe (b, Int, a))
-picked belt = do
-  b <- readTVar belt
-  let due = beltDue b
-      found = (\before value -> (before, due, value)) <$> beltResult b <*> IntMap.lookup due (beltLying b)
-  when (isJust found) $ writeTVar belt b {beltLying = IntMap.delete due (beltLying b), beltResult = Nothing}
-  pure found
+-- | Throws what has ended the helpers, if anything did.
+brokenOff :: Async () -> STM (Task a)
+brokenOff helpers = pollSTM helpers >>= maybe retry (either throwSTM (const retry))
 
 -- | How many workers there are to be among so many processors, where a number may be wished for: no more than
 -- processors, since more would only take memory, and no more than 'mostWorkers'.

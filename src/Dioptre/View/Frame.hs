@@ -34,6 +34,7 @@ module Dioptre.View.Frame
 where
 
 import Control.Concurrent.STM (STM, TVar, atomically, modifyTVar', newTVarIO)
+import Control.Exception (evaluate)
 import Control.Monad (void)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
@@ -126,7 +127,7 @@ shownBy n k = min (n - 1) (coarseness * k + coarseness `div` 2)
 -- Law: its picture is the one that "Dioptre.Render" makes of its plan.
 paint :: Int -> STM () -> Frame -> IO ()
 paint workers finish frame = do
-  foldInOrder workers (rowsAhead workers (coarse (planWidth planned))) (coarse (planHeight planned)) (coarseRow frame) (const coarseDone) ()
+  foldInOrder workers (rowsAhead workers (coarse (planWidth planned))) (coarse (planHeight planned)) (evaluate . coarseRow frame) (const coarseDone) ()
   void (renderRows workers planned fineDone)
   report finish (\p -> p {progressEnd = Finished})
   where

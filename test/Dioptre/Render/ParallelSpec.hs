@@ -1,12 +1,11 @@
 -- | Rows by several workers: all of them, once, in their order, and never too many.
 module Dioptre.Render.ParallelSpec (spec) where
 
-import Control.Concurrent (forkIO, killThread, newEmptyMVar, putMVar, takeMVar, threadDelay)
-import Control.Exception (ErrorCall (..), finally, throwIO)
+import Control.Concurrent (forkIO, killThread, myThreadId, newEmptyMVar, putMVar, takeMVar)
+import Control.Exception (ErrorCall (..), evaluate, finally, throwIO)
 import Control.Monad (foldM, forM_, void, when)
 import Data.IORef (atomicModifyIORef', newIORef, readIORef)
 import Dioptre.Render.Parallel
-import System.IO.Unsafe (unsafePerformIO)
 import System.Timeout (timeout)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -17,44 +16,41 @@ spec :: Spec
 spec = describe "foldInOrder" $ do
   prop "is a fold from the left, whatever the number of workers" . forAll sizes $ \(workers, ahead, n) -> monadicIO $ do
     let note seen i value = pure ((i, value) : seen)
-    together <- run (foldInOrder workers ahead n uneven note [])
+    together <- run (foldInOrder workers ahead n (evaluate . uneven) note [])
     alone <- run (foldM (\seen i -> note seen i (uneven i)) [] [0 .. n - 1])
     pure (together === alone)
 
   prop "computes each value once, and none too far ahead" . forAll sizes $ \(workers, ahead, n) -> monadicIO $ do
     begun <- run (newIORef [])
     handed <- run (newIORef 0)
-    let compute i = unsafePerformIO $ do
+    let compute i = do
           due <- readIORef handed
-          atomicModifyIORef' begun (\these -> ((i, due) : these, uneven i))
+          atomicModifyIORef' begun (\these -> ((i, due) : these, ()))
+          evaluate (uneven i)
     run (foldInOrder workers ahead n compute (\() i _ -> atomicModifyIORef' handed (const (i + 1, ()))) ())
     these <- run (readIORef begun)
     pure (length these === n .&&. conjoin [counterexample (show (i, due)) (i < due + max 1 ahead) | (i, due) <- these])
 
-  prop "hands over to one at a time" . forAll sizes $ \(workers, ahead, n) -> monadicIO $ do
-    inside <- run (newIORef (0 :: Int))
-    most <- run $
-      foldInOrder workers ahead n uneven `flip` 0 $ \most _ _ -> do
-        there <- atomicModifyIORef' inside (\k -> (k + 1, k + 1))
-        when (there > 1) (threadDelay 1000)
-        max most there <$ atomicModifyIORef' inside (\k -> (k - 1, ()))
-    pure (most === min 1 n)
+  prop "hands over in the thread that asked" . forAll sizes $ \(workers, ahead, n) -> monadicIO $ do
+    me <- run myThreadId
+    threads <- run (foldInOrder workers ahead n (evaluate . uneven) (\threads _ _ -> (: threads) <$> myThreadId) [])
+    pure (threads === replicate n me)
 
   it "throws what a value throws" $
     forM_ [1, 2, 3] $ \workers ->
-      foldInOrder workers 4 50 (\i -> if i == 17 then error "value" else i) (\sum' _ i -> pure (sum' + i)) 0 `shouldThrow` errorCall "value"
+      foldInOrder workers 4 50 (\i -> if i == 17 then throwIO (ErrorCall "value") else pure i) (\sum' _ i -> pure (sum' + i)) 0 `shouldThrow` errorCall "value"
 
   it "throws what the taking throws, and takes nothing more" $
     forM_ [1, 2, 3] $ \workers -> do
       handed <- newIORef []
-      foldInOrder workers 4 50 id (\() i _ -> if i == 17 then throwIO (ErrorCall "taking") else atomicModifyIORef' handed (\these -> (i : these, ()))) () `shouldThrow` errorCall "taking"
+      foldInOrder workers 4 50 pure (\() i _ -> if i == 17 then throwIO (ErrorCall "taking") else atomicModifyIORef' handed (\these -> (i : these, ()))) () `shouldThrow` errorCall "taking"
       readIORef handed `shouldReturn` [16, 15 .. 0]
 
   it "ends when it is interrupted" $
     forM_ [1, 2, 3] $ \workers -> do
       reached <- newEmptyMVar
       ended <- newEmptyMVar
-      thread <- forkIO (void (foldInOrder workers 4 1000000000 id (\() i _ -> when (i == 17) (putMVar reached ())) ()) `finally` putMVar ended ())
+      thread <- forkIO (void (foldInOrder workers 4 1000000000 pure (\() i _ -> when (i == 17) (putMVar reached ())) ()) `finally` putMVar ended ())
       takeMVar reached
       killThread thread
       timeout 5000000 (takeMVar ended) `shouldReturn` Just ()
