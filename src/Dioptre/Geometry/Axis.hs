@@ -26,7 +26,7 @@ module Dioptre.Geometry.Axis
   )
 where
 
-import Dioptre.Math.Vector (Point, distance, modulus)
+import Dioptre.Math.Vector (Point, distance, modulus, nearOne)
 
 -- | A segment between two different points.
 data Axis = Axis
@@ -53,12 +53,11 @@ axis a b
 axisLength :: Axis -> Double
 axisLength (Axis a b)
   -- 1e-140. See Note [Literals] of "Dioptre.Math.Roots".
-  | size > 1e-70 * 1e-70 = distance a b
-  | otherwise = scaleFloat e (modulus (scaleFloat (negate e) <$> between))
+  | maximum (abs <$> between) > 1e-70 * 1e-70 = distance a b
+  | otherwise = scaleFloat e (modulus nearby)
   where
     between = b - a
-    size = maximum (abs <$> between)
-    e = exponent size
+    (e, nearby) = nearOne between
 
 -- | An axis and a radius: a tube, a cylinder, a cone, or the rim of a lens.
 data Round = Round

@@ -44,7 +44,7 @@ import Data.Maybe (fromMaybe)
 import Dioptre.Geometry.Plane (planeParameters)
 import Dioptre.Geometry.Ray (Ray, direction, origin)
 import Dioptre.Math.Tolerance (collinearSine, needleSine)
-import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, modulus, unit, vector, (*^))
+import Dioptre.Math.Vector (Point, Unit, Vector, cross, dot, modulus, nearOne, unit, vector, (*^))
 import Linear.V2 (V2)
 import Linear.V3 (V3 (..))
 
@@ -188,12 +188,11 @@ barycentric p0 p1 p2 p
 byCrossProducts :: Vector -> Vector -> Vector -> (Double, Double)
 byCrossProducts w s1 s2 = (share (cross w' s2') k1, share (cross s1' w') k2)
   where
-    (k, w') = brought w
-    (k1, s1') = brought s1
-    (k2, s2') = brought s2
+    (k, w') = nearOne w
+    (k1, s1') = nearOne s1
+    (k2, s2') = nearOne s2
     n = cross s1' s2'
     share part k' = scaleFloat (k - k') (dot part n / dot n n)
-    brought v = let e = exponent (maximum (abs <$> v)) in (e, scaleFloat (negate e) <$> v)
 {-# NOINLINE byCrossProducts #-}
 
 -- | (1 - t1 - t2) N0 + t1 N1 + t2 N2, made unit; the flat normal where that vanishes.

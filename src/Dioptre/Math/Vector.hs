@@ -23,6 +23,7 @@ module Dioptre.Math.Vector
     modulus,
     distance,
     angle,
+    nearOne,
     (*^),
     (^/),
 
@@ -139,12 +140,18 @@ angle a b
   | a == 0 || b == 0 = 0
   | otherwise = atan2 (modulus (cross a' b')) (dot a' b')
   where
-    a' = nearOne a
-    b' = nearOne b
+    (_, a') = nearOne a
+    (_, b') = nearOne b
 
--- | The vector times the power of two that brings its largest component to between 1\/2 and 1 in magnitude.
-nearOne :: Vector -> Vector
-nearOne v = scaleFloat (negate (exponent (maximum (abs <$> v)))) <$> v
+-- | The number e, and the vector times 2^-e, whose largest component is between 1\/2 and 1 in magnitude; a zero vector
+-- stays as it is. No digit is lost, and products of such vectors stay in the range.
+--
+-- >>> nearOne (V3 6 0 (-1))
+-- (3,V3 0.75 0.0 (-0.125))
+nearOne :: Vector -> (Int, Vector)
+nearOne v = (e, scaleFloat (negate e) <$> v)
+  where
+    e = exponent (maximum (abs <$> v))
 
 -- | A vector of length 1, to rounding. The ways in are 'unit' and the three axes; what comes from these by
 -- 'opposite', and by 'packedUnit' and back; and 'trustedUnit', which believes its caller.
@@ -182,7 +189,7 @@ unit v
 unitScaled :: Vector -> Maybe Unit
 unitScaled v
   | v == 0 || isInfinite largest || isNaN largest = Nothing
-  | otherwise = let scaled = nearOne v in Just (Unit (scaled ^/ modulus scaled))
+  | otherwise = let (_, scaled) = nearOne v in Just (Unit (scaled ^/ modulus scaled))
   where
     largest = maximum (fmap abs v)
 {-# NOINLINE unitScaled #-}
