@@ -244,7 +244,7 @@ targetOn shape = case shape of
   ASphere x -> do
     u <- direction'
     e <- acrossTo u
-    f <- oneof [pure 1, nearOne, choose (0, 1)]
+    f <- oneof [pure 1, aboutOne, choose (0, 1)]
     pure (Target (sphereCentre x + (f * sphereRadius x) *^ u) (sphereRadius x) [u, e])
   ATriangle t -> onTriangle t
   ASmoothTriangle t -> onTriangle (smoothTriangleFlat t)
@@ -258,14 +258,14 @@ targetOn shape = case shape of
         n = unitAlong (planeNormal (diskPlane d))
         depth r = signum c * (sqrt (max 0 (c * c - r * r)) - sqrt (max 0 (c * c - diskRadius d * diskRadius d)))
     e <- acrossTo n
-    f <- oneof [elements [0, 1], nearOne, choose (0, 1)]
+    f <- oneof [elements [0, 1], aboutOne, choose (0, 1)]
     let r = f * diskRadius d
     pure (Target (planePosition (diskPlane d) + r *^ e + depth r *^ n) (diskRadius d) [n, e, cross n e, (c - signum c * depth 0 + depth r) *^ e - r *^ n])
   ATorus x -> do
     let n = unitAlong (planeNormal (torusPlane x))
     e <- acrossTo n
     u <- oneof [direction', elements [n, e, negate n, negate e]]
-    f <- oneof [pure 1, nearOne, choose (0, 1)]
+    f <- oneof [pure 1, aboutOne, choose (0, 1)]
     pure (Target (planePosition (torusPlane x) + torusMajor x *^ e + (f * torusMinor x) *^ u) (torusMajor x + torusMinor x) [n, e, cross n e, cross u e, u])
   ACube _ -> inBox
   ATransformed _ _ -> inBox
@@ -275,13 +275,13 @@ targetOn shape = case shape of
       Just b -> do
         target <- sequenceA ((\l h -> (\f -> l + f * (h - l)) <$> choose (0, 1)) <$> boxLow b <*> boxHigh b)
         pure (Target target (modulus (boxHigh b - boxLow b)) [V3 1 0 0, V3 0 1 0, V3 0 0 1])
-    nearOne = (\e s -> 1 + s * scaleFloat e 1) <$> chooseInt (-54, -4) <*> elements [1, -1]
+    aboutOne = (\e s -> 1 + s * scaleFloat e 1) <$> chooseInt (-54, -4) <*> elements [1, -1]
     inPlane :: Plane -> [Double] -> Gen Target
     inPlane p radii = do
       let n = unitAlong (planeNormal p)
       e <- acrossTo n
       r <- elements radii
-      f <- oneof [elements [0, 1], nearOne, choose (0, 1)]
+      f <- oneof [elements [0, 1], aboutOne, choose (0, 1)]
       pure (Target (planePosition p + (r * f) *^ e) (maximum radii) [n, e, cross n e])
     onTriangle t = do
       let Corners a b c = trianglePoints t
@@ -294,8 +294,8 @@ targetOn shape = case shape of
           g = axisEnd (roundAxis x) - p1
           radius = roundRadius x
       e <- acrossTo (unitAlong g)
-      f <- oneof [elements [0, 1], nearOne, choose (0, 1), choose (-0.5, 1.5)]
-      k <- oneof [elements [0, 1], nearOne, choose (0, 1)]
+      f <- oneof [elements [0, 1], aboutOne, choose (0, 1), choose (-0.5, 1.5)]
+      k <- oneof [elements [0, 1], aboutOne, choose (0, 1)]
       let r = k * radius * wide f
       pure (Target (p1 + f *^ g + r *^ e) (modulus g + radius) [g, e, cross (unitAlong g) e, g - radius *^ e, (radius / modulus g) *^ g + modulus g *^ e])
 
