@@ -97,7 +97,7 @@ joinCrop arguments = case arguments of
 program :: Language -> PictureNumber -> Work -> ParserInfo Call
 program l first configured =
   Options.info
-    (helpOption l <*> versionOption <*> (commands <|> call (rendering l first) <|> call (pure configured)))
+    (helpOption l <*> versionOption <*> (commands <|> call (rendering l first <|> pure configured)))
     ( fullDesc
         <> failureCode 2
         <> header

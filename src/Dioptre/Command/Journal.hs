@@ -10,7 +10,7 @@ module Dioptre.Command.Journal
   ( Journal,
     newJournal,
     journalLanguage,
-    journalWith,
+    speakingIf,
     say,
     sayText,
     sayFault,
@@ -55,9 +55,9 @@ data Journal = Journal
 newJournal :: Language -> Bool -> IO Journal
 newJournal l loud = Journal l loud <$> newIORef Seq.empty
 
--- | The same journal in another language, that speaks or does not.
-journalWith :: Language -> Bool -> Journal -> Journal
-journalWith l loud journal = journal {journalLanguage = l, speaks = loud}
+-- | The same journal, which speaks if it does already and if it may.
+speakingIf :: Bool -> Journal -> Journal
+speakingIf may journal = journal {speaks = speaks journal && may}
 
 -- | A message. Where standard error takes none, it is kept all the same, and the work goes on; but not where nobody
 -- reads any more.

@@ -27,7 +27,7 @@ import qualified Data.Text.IO as Text
 import Dioptre.Command.Browser (opener)
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
-import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayDiagnostics, sayFault, sayText, written)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText, speakingIf, written)
 import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
 import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
@@ -76,7 +76,7 @@ run journal found = case found of
     whole journal configurationFile startingConfiguration
   Left fault -> ExitFailure 3 <$ sayFault journal (fileFault l fault)
   Right (source, configuration, diagnostics) -> do
-    let spoken = journalWith l (configurationLogConsole configuration) journal
+    let spoken = speakingIf (configurationLogConsole configuration) journal
     sayDiagnostics spoken [(source, diagnostics)]
     inputs <- newIORef [configurationFile]
     logged spoken inputs configuration (apply spoken inputs configuration)

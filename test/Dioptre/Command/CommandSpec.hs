@@ -274,6 +274,11 @@ spec = do
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\nlog_console no\nlog_file 0\n"
       heard runHere >>= (`shouldBe` (ExitSuccess, "ball_000.png\n", ""))
       doesFileExist "log.txt" >>= (`shouldBe` False)
+    it "stays silent under --quiet whatever the configuration says, and logs all the same" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\nlog_console yes\n"
+      heard (newJournal English False >>= \j -> readConfiguration >>= run j) >>= (`shouldBe` (ExitSuccess, "ball_000.png\n", ""))
+      Text.readFile "log.txt" >>= (`shouldContainText` "reading scene 's.txt'")
     it "compares what a list names" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "list.txt" "texture_comparator\nfile s.txt\nfile s.txt\nend\n"
