@@ -8,14 +8,16 @@
 -- it is.
 module Usage
   ( Known (..),
+    Spelling (..),
     optionsOf,
+    commandFirst,
     inWords,
   )
 where
 
 import Control.Applicative ((<|>))
 import Data.List (isPrefixOf, stripPrefix)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, listToMaybe, mapMaybe)
 import qualified Data.Text as Text
 import Dioptre.Source.Language (Language (..), inLanguage)
 import Dioptre.Syntax.Spelling (suggest)
@@ -23,24 +25,49 @@ import Dioptre.Syntax.Value (real)
 import Options.Applicative.Common (mapParser)
 import Options.Applicative.Types (OptName (..), OptReader (..), Option (..), Parser)
 
--- | What can be written: the commands, each with the names of its options, and the options without a command.
+-- | What can be written: the commands, each with its options, and the options without a command.
 data Known = Known
-  { knownCommands :: [(String, [[String]])],
-    knownOptions :: [[String]]
+  { knownCommands :: [(String, [Spelling])],
+    knownOptions :: [Spelling]
   }
 
--- | The options of a parser, each with all its names.
-optionsOf :: Parser a -> [[String]]
-optionsOf parser = filter (not . null) (mapParser (const (names . optMain)) parser)
+-- | How an option is written: all its names, and whether a value follows.
+data Spelling = Spelling
+  { spellingNames :: [String],
+    spellingTakesValue :: Bool
+  }
 
-names :: OptReader a -> [String]
-names reader = case reader of
-  OptReader these _ _ -> map spelt these
-  FlagReader these _ -> map spelt these
+-- | The options of a parser.
+optionsOf :: Parser a -> [Spelling]
+optionsOf parser = concat (mapParser (const (spellings . optMain)) parser)
+
+spellings :: OptReader a -> [Spelling]
+spellings reader = case reader of
+  OptReader these _ _ -> [Spelling (map spelt these) True]
+  FlagReader these _ -> [Spelling (map spelt these) False]
   _ -> []
   where
     spelt (OptShort c) = ['-', c]
     spelt (OptLong word) = "--" <> word
+
+-- | The arguments with the command first, where options stand before it: of @--language fr check a.txt@,
+-- @check --language fr a.txt@. The option parser takes a command's options behind it alone. Other arguments stay as
+-- they are.
+commandFirst :: Known -> [String] -> [String]
+commandFirst known arguments = case leading arguments of
+  (those, word : others) | word `elem` map fst (knownCommands known) -> word : those <> others
+  _ -> arguments
+  where
+    leading given = case listToMaybe (foldMap (\option -> mapMaybe (width option) options) (take 1 given)) of
+      Just n -> let (more, rest) = leading (drop n given) in (take n given <> more, rest)
+      Nothing -> ([], given)
+    options = knownOptions known <> foldMap snd (knownCommands known)
+    -- How many arguments an option takes up, if it is this one: --width 5, --width=5, -o p.png, -op.png.
+    width option (Spelling these takesValue)
+      | option `elem` these = Just (if takesValue then 2 else 1)
+      | takesValue && any ((`isPrefixOf` option) . before) these = Just 1
+      | otherwise = Nothing
+    before name = if "--" `isPrefixOf` name then name <> "=" else name
 
 -- | What the option parser prints, in a language; given the arguments, of which it is the help or what is wrong with
 -- them.
@@ -69,7 +96,7 @@ complaint l known arguments line =
       first : _ | not ("-" `isPrefixOf` first) -> Just first
       _ -> Nothing
     command = (\w -> (,) w <$> lookup w (knownCommands known)) =<< word
-    options = maybe (knownOptions known) snd command
+    options = map spellingNames (maybe (knownOptions known) snd command)
 
     badValue (name, wanted) = name <> say "" "\xA0" <> wanted
 
