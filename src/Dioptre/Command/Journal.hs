@@ -15,6 +15,7 @@ module Dioptre.Command.Journal
     sayText,
     sayFault,
     sayDiagnostics,
+    sayObstacles,
     written,
     withProgress,
     toConsole,
@@ -30,7 +31,7 @@ import qualified Data.Sequence as Seq
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as Lazy
-import Dioptre.Source.Diagnostic (Diagnostic)
+import Dioptre.Source.Diagnostic (Diagnostic, needsMending)
 import Dioptre.Source.Language (Language)
 import qualified Dioptre.Source.Report as Report
 import Dioptre.Source.Text (Source)
@@ -87,6 +88,14 @@ sayDiagnostics journal files = do
   forM_ (Report.summary l (concatMap snd files)) (sayText journal)
   where
     l = journalLanguage journal
+
+-- | The same where some of them keep the program from its task: those are heard even where the journal is silent.
+--
+-- Spec: cli.render.
+sayObstacles :: Journal -> [(Source, [Diagnostic])] -> IO ()
+sayObstacles journal files
+  | speaks journal = sayDiagnostics journal files
+  | otherwise = sayDiagnostics journal {speaks = True} (map (fmap (filter needsMending)) files)
 
 paragraphs :: Text -> Doc Report.Style
 paragraphs = fold . zipWith (<>) ("" : repeat hardline) . map pretty . Text.splitOn "\n"

@@ -21,7 +21,7 @@ import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayObstacles, sayText)
 import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
@@ -74,11 +74,13 @@ render journal options = do
   (reading, result) <- timed (loadScene l (optionScene options))
   case result of
     Left fault -> ExitFailure 3 <$ sayFault journal fault
-    Right loaded -> do
-      sayDiagnostics journal (loadedDiagnostics loaded)
-      if optionStrict options && any (any needsMending . snd) (loadedDiagnostics loaded)
-        then ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
-        else case adjusted options loaded of
+    Right loaded
+      | optionStrict options && any (any needsMending . snd) (loadedDiagnostics loaded) -> do
+        sayObstacles journal (loadedDiagnostics loaded)
+        ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
+      | otherwise -> do
+        sayDiagnostics journal (loadedDiagnostics loaded)
+        case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
           Right (scene, planned) -> do
             obstacle <- outputObstacle options scene (loadedFiles loaded)

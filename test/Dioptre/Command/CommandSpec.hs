@@ -102,6 +102,17 @@ spec = do
       (code, out, _) <- heard (render' plainOptions {optionStrict = True})
       (code, out) `shouldBe` (ExitFailure 1, "")
       listDirectory "." >>= (`shouldBe` ["s.txt"])
+    it "says under --strict --quiet what is to be mended, and no notes" . inFolder $ do
+      -- A second camera in the place of the first is a note.
+      Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene <> "camera\nend\ncamera\nend\n")
+      (_, _, all') <- heard (render' plainOptions)
+      all' `shouldContainText` "note: "
+      (code, out, err) <- heard (newJournal English False >>= (`render` plainOptions {optionStrict = True}))
+      (code, out) `shouldBe` (ExitFailure 1, "")
+      forM_ ["s.txt:13:5: error: '1.O' is not a number  [not-a-number]", "1 error", "nothing is drawn, as --strict asks"] (err `shouldContainText`)
+      ("note" `Text.isInfixOf` err) `shouldBe` False
+      (code', _, err') <- heard (newJournal English False >>= (`render` plainOptions))
+      (code', err') `shouldBe` (ExitSuccess, "")
     it "draws nothing under --strict where a model has faults, and all the same without" . inFolder $ do
       Text.writeFile "s.txt" (sphereScene <> "model\nfile a.msr\nend\n")
       Text.writeFile "a.msr" "camera\nend\n"
