@@ -1,3 +1,5 @@
+{-# LANGUAGE LambdaCase #-}
+
 -- |
 -- Module      : Usage
 -- Description : What is wrong with some arguments, in words
@@ -73,13 +75,17 @@ commandFirst known arguments = case leading arguments of
 -- them.
 inWords :: Language -> Known -> [String] -> String -> String
 inWords l known arguments text = case lines text of
-  first : rest | Just ours <- complaint l known arguments first -> unlines (ours : "" : map (titled l) (dropWhile (not . isPrefixOf "Usage:") rest))
-  all' -> unlines (map (titled l) all')
+  first : rest | Just ours <- complaint l known arguments first -> unlines (ours : "" : titled l (dropWhile (not . isPrefixOf "Usage:") rest))
+  all' -> unlines (titled l all')
 
--- | The option parser's own titles.
-titled :: Language -> String -> String
-titled English line = line
-titled French line = fromMaybe line (lookup line [("Available options:", "Options\xA0:"), ("Available commands:", "Commandes\xA0:")])
+-- | The option parser's own titles; the second line of how it is used stands as far to the right as the first.
+titled :: Language -> [String] -> [String]
+titled English = id
+titled French = \case
+  line : more
+    | Just used <- stripPrefix "Usage:" line, (further, others) <- span ("    " `isPrefixOf`) more -> ("Usage\xA0:" <> used) : map (' ' :) further <> titled French others
+    | otherwise -> fromMaybe line (lookup line [("Available options:", "Options\xA0:"), ("Available commands:", "Commandes\xA0:")]) : titled French more
+  [] -> []
 
 -- | What is wrong, said anew, given the option parser's own line.
 complaint :: Language -> Known -> [String] -> String -> Maybe String
