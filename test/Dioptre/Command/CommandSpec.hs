@@ -137,6 +137,18 @@ spec = do
       (code, out) `shouldBe` (ExitSuccess, "20 x 16 pixels, equal\n")
       (code', _, _) <- heard (render' plainOptions {optionCrop = Just (10, 0, 11, 16)})
       code' `shouldBe` ExitFailure 2
+    it "says in both languages that a size has too many pixels, of one option and of two" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      let asking l w h = heard (newJournal l True >>= (`render` plainOptions {optionWidth = w, optionHeight = h}))
+          many' = Just 20000
+      asking English many' many'
+        >>= (`shouldBe` (ExitFailure 2, "", "--width and --height ask for 20000 x 20000 pixels, more than the 268435456 that a picture may have\n"))
+      asking English (Just 200000000) Nothing
+        >>= (`shouldBe` (ExitFailure 2, "", "--width asks for 200000000 x 16 pixels, more than the 268435456 that a picture may have\n"))
+      asking French many' many'
+        >>= (`shouldBe` (ExitFailure 2, "", "--width et --height demandent 20000 x 20000 pixels, plus que les 268435456 qu'une image peut avoir\n"))
+      asking French Nothing (Just 200000000)
+        >>= (`shouldBe` (ExitFailure 2, "", "--height demande 20 x 200000000 pixels, plus que les 268435456 qu'une image peut avoir\n"))
   describe "check" $ do
     it "says nothing is wrong, and exits with 0" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
