@@ -31,7 +31,7 @@ import Dioptre.Command.Run (readConfiguration, run)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Syntax.Keyword (allSpellings)
 import qualified Network.WebSockets as WebSockets
-import System.Directory (createDirectory, createFileLink, doesFileExist, listDirectory)
+import System.Directory (createDirectory, createFileLink, doesFileExist, getCurrentDirectory, listDirectory, removeFile)
 import System.Environment (lookupEnv, setEnv, unsetEnv)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -214,12 +214,23 @@ spec = do
       [s | s <- allSpellings, s `notElem` words', s `notElem` unused] `shouldBe` []
   describe "the run without arguments" $ do
     it "writes a configuration where there is none" . inFolder $ do
-      (code, out, _) <- heard runHere
+      (code, out, err) <- heard runHere
       code `shouldBe` ExitSuccess
       out `shouldContainText` "configuration.cfg"
       doesFileExist "configuration.cfg" >>= (`shouldBe` True)
-      (code', _, _) <- heard runHere
-      code' `shouldBe` ExitSuccess
+      here <- Text.pack <$> getCurrentDirectory
+      Text.lines err
+        `shouldBe` ["configuration.cfg was written to " <> here <> ": it says what dioptre does without a command; with 'application console' it draws the scene that read_data names"]
+      (code', _, err') <- heard runHere
+      (code', err') `shouldBe` (ExitSuccess, "default_scene.txt was written: the built-in scene, to be changed under another name\n")
+      heard runHere >>= \(code'', _, err'') -> (code'', err'') `shouldBe` (ExitSuccess, "")
+    it "says in French, too, what it writes, and nothing where it is to be quiet" . inFolder $ do
+      let runIn l loud = heard (newJournal l loud >>= \j -> readConfiguration >>= run j) >>= \(_, _, err) -> pure err
+      runIn French True >>= (`shouldContainText` "\xA0: il dit ce que fait dioptre sans commande\xA0; avec 'application console', il dessine la sc\xE8ne que nomme read_data\n")
+      runIn French True >>= (`shouldBe` "default_scene.txt a \xE9t\xE9 \xE9\&crit\xA0: la sc\xE8ne int\xE9gr\xE9\&e, \xE0 modifier sous un autre nom\n")
+      mapM_ removeFile ["configuration.cfg", "default_scene.txt"]
+      runIn English False >>= (`shouldBe` "")
+      runIn English False >>= (`shouldBe` "")
     it "draws, counts, logs, and writes the scene back" . inFolder $ do
       createDirectory "scenes"
       Text.writeFile "scenes/s.txt" sphereScene
