@@ -39,7 +39,7 @@ import Dioptre.Files.Number (PictureNumber, next, numberingObstacle, pictureNumb
 import Dioptre.Files.Search (search)
 import Dioptre.Files.Whole (readPlain, writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
-import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedFiles, loadedPlan)
+import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedFiles, loadedPlan, sceneText)
 import Dioptre.Picture (Difference (Equal), difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render.Row (planExtent)
@@ -269,7 +269,7 @@ withSource journal inputs configuration act = do
       | otherwise =
         search "." "." name >>= \case
           Left fault -> pure (Left (searchFault l fault))
-          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readPlain path
+          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\text -> Right (text, True)) . (>>= sceneText path) <$> readPlain path
 
 -- | The number that the configuration wants the next picture to have.
 --

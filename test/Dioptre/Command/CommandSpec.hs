@@ -22,12 +22,14 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Check (check)
 import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Explain (explain)
 import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder, listeningTo)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (readConfiguration, run)
+import Dioptre.Command.View (ViewOptions (..), viewScene)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Syntax.Keyword (allSpellings)
 import qualified Network.WebSockets as WebSockets
@@ -325,6 +327,34 @@ spec = do
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\n"
       (_, _, err) <- heard (newJournal French True >>= \j -> readConfiguration >>= run j)
       err `shouldContainText` "lecture de la sc\xE8ne"
+  it "refuses a picture as a scene, in both languages" . inFolder $
+    forM_ pictureHeads $ \bytes -> do
+      Bytes.writeFile "s.txt" bytes
+      forM_
+        [ (`render` plainOptions),
+          \j -> check j AsText ["s.txt"],
+          \j -> explain j AsText "s.txt" 0 0,
+          \j -> compare j "s.txt" "s.txt",
+          \j -> fromMaybe ExitSuccess <$> timeout 20000000 (viewScene j (ViewOptions Nothing False) (Just "s.txt"))
+        ]
+        $ \command -> do
+          (code, out, err) <- heard (journal' command)
+          (code, out, take 1 (Text.lines err)) `shouldBe` (ExitFailure 3, "", ["s.txt: this is a picture, and no scene: a scene is a text"])
+          (code', out', err') <- heard (newJournal French True >>= command)
+          (code', out', take 1 (Text.lines err')) `shouldBe` (ExitFailure 3, "", ["s.txt\xA0: c'est une image, et non une sc\xE8ne\xA0: une sc\xE8ne est un texte"])
+      listDirectory "." >>= (`shouldBe` ["s.txt"])
+  it "refuses a picture that the configuration names as a scene" . inFolder $ do
+    Bytes.writeFile "s.png" (head pictureHeads)
+    Text.writeFile "configuration.cfg" "application console\nread_data s.png\nwrite_data out.txt\nlog_file no\n"
+    (code, out, err) <- heard runHere
+    (code, out) `shouldBe` (ExitFailure 3, "")
+    err `shouldContainText` "s.png: this is a picture, and no scene"
+  it "takes a text for one that begins with the letters of a picture" . inFolder $
+    forM_ ["BM5 is my camera\n", "GIF89a is a format\n"] $ \text -> do
+      Text.writeFile "s.txt" text
+      (code, out, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
+      code `shouldBe` ExitFailure 1
+      out `shouldContainText` "s.txt:1:1: error: unknown word"
   it "survives a scene of any bytes" . inFolder $ do
     Bytes.writeFile "s.txt" (Chars.pack ['\0' .. '\255'])
     (code, _, _) <- heard (render' plainOptions)
@@ -339,6 +369,15 @@ spec = do
       ["end", "fin", "view_frustum", "viewfrustum", "default_material", "scene", "model_msr", "console_comparator", "comparateur_console"]
         <> ["particle", "particule", "particles_system", "systeme_particules", "electric_charge", "charge_electrique"]
         <> ["texture_comparator", "texture_comparateur"]
+
+-- | The first bytes of pictures: PNG, JPEG, GIF, BMP.
+pictureHeads :: [Bytes.ByteString]
+pictureHeads =
+  [ "\x89PNG\r\n\x1A\n\0\0\0\rIHDR",
+    "\xFF\xD8\xFF\xE0\0\x10JFIF\0",
+    "GIF89a\x14\0\x10\0\x80\0\0",
+    "BM\x36\x10\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0"
+  ]
 
 -- | Works with a screen, and with a browser that shows nothing; or without a screen.
 withScreen :: Bool -> IO a -> IO a
