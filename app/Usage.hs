@@ -7,7 +7,7 @@
 -- The option parser knows that arguments are wrong, and often says so of the wrong one, in English, without a proposal:
 -- of @chek a.txt@ that @a.txt@ is invalid, and of an option that is given twice the same. Its first line tells which
 -- argument it stopped at; here that is read together with the arguments, and said anew. What is not known here stays as
--- it is.
+-- it is. Options before a command are put behind it beforehand, where the option parser takes them.
 module Usage
   ( Known (..),
     Spelling (..),
