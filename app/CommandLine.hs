@@ -13,8 +13,6 @@ module CommandLine
 
     -- * Reading it
     asked,
-    program,
-    understood,
   )
 where
 
@@ -46,7 +44,7 @@ import Paths_dioptre (version)
 import System.Environment (getProgName)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hPutStr, stderr)
-import Usage (Known (..), inWords, optionsOf)
+import Usage (Known (..), commandFirst, inWords, optionsOf)
 import Prelude hiding (compare)
 
 -------------------------------------------------------------------------------
@@ -71,19 +69,18 @@ data Settings = Settings
 -------------------------------------------------------------------------------
 -- The whole command line
 
--- | The call in some arguments; or help, the version, or what is wrong with them, as it is to be printed.
-asked :: ParserInfo Call -> [String] -> ParserResult Call
-asked whole = execParserPure defaultPrefs whole . joinCrop
-
--- | The call that was asked for. Where there is none, prints help or what is wrong, in a language, and ends.
-understood :: Language -> PictureNumber -> [String] -> ParserResult Call -> IO Call
-understood l first arguments result = case result of
+-- | The call in some arguments, given a language, the first number of pictures, and what is done without a command.
+-- Where there is none, prints help, the version, or what is wrong, and ends.
+asked :: Language -> PictureNumber -> Work -> [String] -> IO Call
+asked l first configured given = case execParserPure defaultPrefs (program l first configured) arguments of
   Failure failure -> do
     (text, code) <- renderFailure failure <$> getProgName
     let said = inWords l (known l first) arguments text
     if code == ExitSuccess then putStr said else hPutStr stderr said
     exitWith code
-  _ -> handleParseResult result
+  result -> handleParseResult result
+  where
+    arguments = commandFirst (known l first) (joinCrop given)
 
 -- | The four numbers of @--crop@ as one argument, which is what the option parser can take.
 joinCrop :: [String] -> [String]
@@ -97,7 +94,7 @@ joinCrop arguments = case arguments of
 program :: Language -> PictureNumber -> Work -> ParserInfo Call
 program l first configured =
   Options.info
-    (helpOption l <*> versionOption <*> (commands <|> call (rendering l first) <|> call (pure configured)))
+    (helpOption l <*> versionOption <*> (commands <|> call (rendering l first <|> pure configured)))
     ( fullDesc
         <> failureCode 2
         <> header

@@ -8,7 +8,7 @@ module Main
   )
 where
 
-import CommandLine (Call (..), Settings (..), asked, program, understood)
+import CommandLine (Call (..), Settings (..), asked)
 import Control.Exception (IOException, SomeAsyncException, SomeException, catch, fromException, handle, throwIO, try)
 import Control.Monad (filterM)
 import Data.Maybe (fromMaybe)
@@ -40,9 +40,7 @@ main = do
     let locale = fromLocale (`lookup` environment)
         habitual = fromMaybe locale (either (const Nothing) (\(_, c, _) -> configurationLanguage c) configuration)
         first = either (const minBound) (\(_, c, _) -> firstNumber c) configuration
-    call <- try $ do
-      arguments <- getArgs
-      understood habitual first arguments (asked (program habitual first (`run` configuration)) arguments)
+    call <- try (getArgs >>= asked habitual first (`run` configuration))
     exitWith =<< case call of
       Left code -> withAllPrinted habitual (pure code)
       Right (Call settings work) -> do

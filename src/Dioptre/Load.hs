@@ -20,6 +20,7 @@ module Dioptre.Load
     loadedFiles,
     loadScene,
     loadSource,
+    sceneText,
     drawnOrLoaded,
 
     -- * What becomes of a scene
@@ -31,6 +32,7 @@ where
 import Control.Exception (evaluate)
 import Control.Monad.Trans.State.Strict (runStateT)
 import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
 import Data.Char (toLower)
 import Data.Foldable (toList)
 import Data.List (sortOn)
@@ -41,6 +43,7 @@ import qualified Data.Text as Text
 import qualified Data.Vector as Vector
 import Dioptre.Explain.Story (Story)
 import Dioptre.Explain.Tell (tell)
+import Dioptre.Files.Fault (FileFault (..), Reason (IsAPicture))
 import Dioptre.Files.Whole (readPlain, readWhole)
 import Dioptre.Files.Wording (fileFault, undecodable)
 import Dioptre.Load.Amount (ModelRead (..))
@@ -49,6 +52,7 @@ import Dioptre.Load.Models (loadModels, sceneSite)
 import Dioptre.Load.Shelf (Found (..), Shelf (..), emptyShelf, loadPictures)
 import Dioptre.Model.Library (Library (..))
 import Dioptre.Picture (Picture)
+import Dioptre.Picture.Header (isSurelyPicture)
 import Dioptre.Picture.Png (decode)
 import Dioptre.Render (renderWith)
 import Dioptre.Render.Row (Plan, plan)
@@ -90,7 +94,16 @@ loadedFiles loaded = map foundPath (Map.elems (Map.fromList [(foundFile file, fi
 --
 -- Spec: files.command-line.
 loadScene :: Language -> FilePath -> IO (Either Text Loaded)
-loadScene l path = readWhole path >>= either (pure . Left . fileFault l) (fmap Right . loadSource l . Source.decode path)
+loadScene l path = readWhole path >>= either (pure . Left . fileFault l) (fmap Right . loadSource l) . (>>= sceneText path)
+
+-- | The text of a scene's file, given its path and its bytes, which may not be those of a picture: as a text they would
+-- be a scene with nothing in it, and faults without end.
+--
+-- Spec: files.picture.
+sceneText :: FilePath -> ByteString -> Either FileFault Source
+sceneText path bytes
+  | isSurelyPicture bytes = Left (FileFault path IsAPicture)
+  | otherwise = Right (Source.decode path bytes)
 
 -- | The scene of a text, with its pictures and models, which are looked for as if the text stood in the file whose path
 -- is its name.

@@ -10,10 +10,11 @@ module Dioptre.Command.Journal
   ( Journal,
     newJournal,
     journalLanguage,
-    journalWith,
+    speakingIf,
     sayText,
     sayFault,
     sayDiagnostics,
+    sayObstacles,
     written,
     withProgress,
     toConsole,
@@ -30,7 +31,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as Lazy
 import Dioptre.Files.Fault (quietly)
-import Dioptre.Source.Diagnostic (Diagnostic)
+import Dioptre.Source.Diagnostic (Diagnostic, needsMending)
 import Dioptre.Source.Language (Language)
 import Dioptre.Source.Phrase (safe)
 import qualified Dioptre.Source.Report as Report
@@ -56,9 +57,9 @@ data Journal = Journal
 newJournal :: Language -> Bool -> IO Journal
 newJournal l loud = Journal l loud <$> newIORef Seq.empty
 
--- | The same journal in another language, that speaks or does not.
-journalWith :: Language -> Bool -> Journal -> Journal
-journalWith l loud journal = journal {journalLanguage = l, speaks = loud}
+-- | The same journal, which speaks if it does already and if it may.
+speakingIf :: Bool -> Journal -> Journal
+speakingIf may journal = journal {speaks = speaks journal && may}
 
 -- | A message. Where standard error takes none, it is kept all the same, and the work goes on; but not where nobody
 -- reads any more.
@@ -88,6 +89,14 @@ sayDiagnostics journal files = do
   forM_ (Report.summary l (concatMap snd files)) (sayText journal)
   where
     l = journalLanguage journal
+
+-- | The same where some of them keep the program from its task: those are heard even where the journal is silent.
+--
+-- Spec: cli.render.
+sayObstacles :: Journal -> [(Source, [Diagnostic])] -> IO ()
+sayObstacles journal files
+  | speaks journal = sayDiagnostics journal files
+  | otherwise = sayDiagnostics journal {speaks = True} (map (fmap (filter needsMending)) files)
 
 -- | Lines, in which nothing commands the terminal.
 paragraphs :: Text -> Doc Report.Style

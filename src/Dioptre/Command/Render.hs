@@ -17,11 +17,11 @@ where
 import Control.Exception (evaluate)
 import Data.Bifunctor (bimap, first)
 import Data.Char (toLower)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
-import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayObstacles, sayText)
 import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
@@ -34,11 +34,11 @@ import Dioptre.Render.Row (Plan, plan, planExtent, planWithin, window)
 import Dioptre.Render.Tally (Tally (..))
 import Dioptre.Render.World (Extent (..))
 import Dioptre.Scene (Scene, sceneViewport, withSampling, withViewport)
-import Dioptre.Scene.Camera (Viewport, viewport, viewportHeight, viewportImage, viewportWidth)
+import Dioptre.Scene.Camera (Viewport, mostPixels, viewport, viewportHeight, viewportImage, viewportWidth)
 import Dioptre.Scene.Configuration (configurationFile)
-import Dioptre.Source.Diagnostic (Fate (LeftOut), Problem (ImpossibleObject), needsMending)
+import Dioptre.Source.Diagnostic (needsMending)
 import Dioptre.Source.Language (Language, inLanguage)
-import Dioptre.Source.Message (message)
+import Dioptre.Source.Phrase (number)
 import System.Directory (doesDirectoryExist)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, takeExtension)
@@ -74,11 +74,13 @@ render journal options = do
   (reading, result) <- timed (loadScene l (optionScene options))
   case result of
     Left fault -> ExitFailure 3 <$ sayFault journal fault
-    Right loaded -> do
-      sayDiagnostics journal (loadedDiagnostics loaded)
-      if optionStrict options && any (any needsMending . snd) (loadedDiagnostics loaded)
-        then ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
-        else case adjusted options loaded of
+    Right loaded
+      | optionStrict options && any (any needsMending . snd) (loadedDiagnostics loaded) -> do
+        sayObstacles journal (loadedDiagnostics loaded)
+        ExitFailure 1 <$ sayFault journal (inLanguage l "nothing is drawn, as --strict asks" "rien n'est dessiné, comme le demande --strict")
+      | otherwise -> do
+        sayDiagnostics journal (loadedDiagnostics loaded)
+        case adjusted options loaded of
           Left complaint -> ExitFailure 2 <$ sayFault journal (complaint l)
           Right (scene, planned) -> do
             obstacle <- outputObstacle options scene (loadedFiles loaded)
@@ -136,9 +138,22 @@ adjusted options loaded = do
         <> " pixels"
 
 resized :: Maybe Int -> Maybe Int -> Viewport -> Either (Language -> Text) Viewport
-resized w h port = either (Left . tooMany) Right (viewport (fromMaybe (viewportWidth port) w) (fromMaybe (viewportHeight port) h) (viewportImage port))
+resized w h port = case viewport width height (viewportImage port) of
+  Right other -> Right other
+  Left _ -> Left tooMany
   where
-    tooMany flaw l = message l (ImpossibleObject "--width, --height" flaw LeftOut)
+    width = fromMaybe (viewportWidth port) w
+    height = fromMaybe (viewportHeight port) h
+    -- No side is less than 1, as the options' values are read.
+    tooMany l =
+      Text.concat
+        [ Text.intercalate (inLanguage l " and " " et ") (["--width" | isJust w] <> ["--height" | isJust h]),
+          if isJust w && isJust h then inLanguage l " ask for " " demandent " else inLanguage l " asks for " " demande ",
+          number width <> " x " <> number height,
+          inLanguage l " pixels, more than the " " pixels, plus que les ",
+          number mostPixels,
+          inLanguage l " that a picture may have" " qu'une image peut avoir"
+        ]
 
 -- | What would prevent the picture of a scene from being written, found before it is drawn; with the exit code that it
 -- deserves. Given the files that the scene reads, none of which is replaced, by whatever path.

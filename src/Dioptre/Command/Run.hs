@@ -16,7 +16,7 @@ where
 
 import Control.Concurrent.STM (readTVarIO)
 import Control.Exception (evaluate, onException)
-import Control.Monad (forM)
+import Control.Monad (forM, when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef (IORef, modifyIORef', newIORef, readIORef)
 import Data.Maybe (fromMaybe)
@@ -27,7 +27,7 @@ import qualified Data.Text.IO as Text
 import Dioptre.Command.Browser (opener)
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
-import Dioptre.Command.Journal (Journal, journalLanguage, journalWith, sayDiagnostics, sayFault, sayText, written)
+import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText, speakingIf, written)
 import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
 import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
@@ -39,7 +39,7 @@ import Dioptre.Files.Number (PictureNumber, next, numberingObstacle, pictureNumb
 import Dioptre.Files.Search (search)
 import Dioptre.Files.Whole (readPlain, writeWhole)
 import Dioptre.Files.Wording (fileFault, numberingFault, searchFault)
-import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedFiles, loadedPlan)
+import Dioptre.Load (Loaded (..), drawnOrLoaded, loadSource, loadedFiles, loadedPlan, sceneText)
 import Dioptre.Picture (Difference (Equal), difference)
 import Dioptre.Picture.Png (encode)
 import Dioptre.Render.Row (planExtent)
@@ -54,7 +54,7 @@ import Dioptre.Source.Language (inLanguage)
 import Dioptre.Source.Text (Source, decode)
 import Dioptre.Syntax.Grammar (parse)
 import Dioptre.View.Frame (Frame (..), Progress (..), framePicture)
-import System.Directory (doesFileExist)
+import System.Directory (doesFileExist, getCurrentDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory)
 import System.IO (hFlush, stdout)
@@ -73,10 +73,18 @@ run :: Journal -> Either FileFault (Source, Configuration, [Diagnostic]) -> IO E
 run journal found = case found of
   Left (FileFault _ DoesNotExist) -> do
     Text.putStr (info l)
-    whole journal configurationFile startingConfiguration
+    code <- whole journal configurationFile startingConfiguration
+    told journal code $ do
+      here <- getCurrentDirectory
+      pure $
+        inLanguage l "configuration.cfg was written to " "configuration.cfg a été écrit dans " <> Text.pack here
+          <> inLanguage
+            l
+            ": it says what dioptre does without a command; with 'application console' it draws the scene that read_data names"
+            "\xA0: il dit ce que fait dioptre sans commande\xA0; avec 'application console', il dessine la scène que nomme read_data"
   Left fault -> ExitFailure 3 <$ sayFault journal (fileFault l fault)
   Right (source, configuration, diagnostics) -> do
-    let spoken = journalWith l (configurationLogConsole configuration) journal
+    let spoken = speakingIf (configurationLogConsole configuration) journal
     sayDiagnostics spoken [(source, diagnostics)]
     inputs <- newIORef [configurationFile]
     logged spoken inputs configuration (apply spoken inputs configuration)
@@ -122,7 +130,21 @@ apply journal inputs configuration = case configurationApplication configuration
 writeDefaultScene :: Journal -> IO ExitCode
 writeDefaultScene journal = do
   there <- doesFileExist (Text.unpack defaultSceneFile)
-  if there then pure ExitSuccess else whole journal (Text.unpack defaultSceneFile) defaultScene
+  if there
+    then pure ExitSuccess
+    else do
+      outcome <- whole journal (Text.unpack defaultSceneFile) defaultScene
+      told journal outcome . pure $
+        inLanguage
+          l
+          (defaultSceneFile <> " was written: the built-in scene, to be changed under another name")
+          (defaultSceneFile <> " a été écrit\xA0: la scène intégrée, à modifier sous un autre nom")
+  where
+    l = journalLanguage journal
+
+-- | Tells something, if it was done.
+told :: Journal -> ExitCode -> IO Text -> IO ExitCode
+told journal code text = code <$ when (code == ExitSuccess) (text >>= sayText journal)
 
 -- | Writes a text, whole. A failure is told, and is exit code 3.
 whole :: Journal -> FilePath -> Text -> IO ExitCode
@@ -247,7 +269,7 @@ withSource journal inputs configuration act = do
       | otherwise =
         search "." "." name >>= \case
           Left fault -> pure (Left (searchFault l fault))
-          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\bytes -> Right (decode path bytes, True)) <$> readPlain path
+          Right path -> noteRead inputs [path] >> either (Left . fileFault l) (\text -> Right (text, True)) . (>>= sceneText path) <$> readPlain path
 
 -- | The number that the configuration wants the next picture to have.
 --

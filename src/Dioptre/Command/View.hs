@@ -28,10 +28,11 @@ import Dioptre.Command.Browser (withBrowser)
 import Dioptre.Command.Journal (Journal, journalLanguage, sayFault, sayText)
 import Dioptre.Files.Whole (readWhole)
 import Dioptre.Files.Wording (fileFault)
+import Dioptre.Load (sceneText)
 import Dioptre.Scene.Configuration (defaultSceneFile)
 import Dioptre.Scene.Default (defaultScene)
 import Dioptre.Source.Language (inLanguage)
-import Dioptre.Source.Text (Source, decode, fromText)
+import Dioptre.Source.Text (Source, fromText)
 import Dioptre.View.Desk (Checked (..), Desk (..))
 import Dioptre.View.Frame (Frame)
 import Dioptre.View.Server (Settings (..), Viewer (..), withViewer)
@@ -57,7 +58,7 @@ viewScene journal options path =
   where
     source = case path of
       Nothing -> pure (Right builtIn)
-      Just file -> fmap (decode file) <$> readWhole file
+      Just file -> (>>= sceneText file) <$> readWhole file
 
 -- | The text of the scene that is built in.
 --

@@ -61,6 +61,8 @@ data Reason
     LinksInACircle
   | -- | A device or a pipe where only a file will do.
     NotAPlainFile
+  | -- | A picture where a scene was wanted.
+    IsAPicture
   | -- | More than this many bytes, the most that are read of it.
     LongerThan Int
   | -- | Anything else, in the operating system's words (English).

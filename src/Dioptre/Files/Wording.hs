@@ -37,6 +37,7 @@ fileFault l (FileFault path reason) = Text.pack path <> inLanguage l ": " "\xA0:
       TooManyOpen -> say "too many files are open" "trop de fichiers sont ouverts"
       LinksInACircle -> say "this is a link that leads back to itself, or through too many others" "c'est un lien qui ramène à lui-même, ou qui passe par trop d'autres"
       NotAPlainFile -> say "this is a device or a pipe, and only a file can be read here" "c'est un périphérique ou un tube, et seul un fichier peut être lu ici"
+      IsAPicture -> say "this is a picture, and no scene: a scene is a text" "c'est une image, et non une scène\xA0: une scène est un texte"
       LongerThan n -> say "this is longer than the " "c'est plus long que les " <> Text.pack (show n) <> say " bytes that are read at most" " octets qui sont lus au plus"
       OtherReason t -> t
     say = inLanguage l

@@ -25,6 +25,7 @@ module Dioptre.Picture.Header
     mostPixelsRead,
     isTooLarge,
     mayBeTga,
+    isSurelyPicture,
 
     -- * Numbers in files
     big,
@@ -80,6 +81,23 @@ isTooLarge bytes = pixelsOf bytes > min mostPixelsRead (10000 * toInteger (Bytes
 -- [True,False]
 mayBeTga :: ByteString -> Bool
 mayBeTga bytes = Bytes.length bytes >= 18 && big 1 1 bytes <= 1 && big 1 2 bytes `elem` [1, 2, 3, 9, 10, 11] && big 1 16 bytes `elem` [8, 15, 16, 24, 32]
+
+-- | Whether a file is a picture, and no text, by its first bytes. Those of GIF and BMP are letters, with which a text may
+-- begin as well; but there are small numbers of two and four bytes behind them, and so NUL, which no text has.
+--
+-- >>> map isSurelyPicture ["\x89PNG\r\n", "\xFF\xD8\xFF", "GIF89a\1\0\1\0", "BM5 is my camera", "a text"]
+-- [True,True,True,False,False]
+--
+-- Spec: files.picture.
+isSurelyPicture :: ByteString -> Bool
+isSurelyPicture bytes = case formatOf bytes of
+  Png -> True
+  Jpeg -> True
+  Gif -> numbered
+  Bmp -> numbered
+  Tga -> False
+  where
+    numbered = Bytes.elem 0 (Bytes.take 26 bytes)
 
 -- | The whole number of so many bytes at a place, the high byte first; what is not there is 0.
 big :: Int -> Int -> ByteString -> Integer

@@ -22,16 +22,18 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Check (check)
 import Dioptre.Command.Compare (compare)
+import Dioptre.Command.Explain (explain)
 import Dioptre.Command.Format (Format (..))
 import Dioptre.Command.Heard (heard, inFolder, listeningTo)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (newJournal)
 import Dioptre.Command.Render (Options (..), Output (..), render)
 import Dioptre.Command.Run (readConfiguration, run)
+import Dioptre.Command.View (ViewOptions (..), viewScene)
 import Dioptre.Source.Language (Language (..))
 import Dioptre.Syntax.Keyword (allSpellings)
 import qualified Network.WebSockets as WebSockets
-import System.Directory (createDirectory, createFileLink, doesFileExist, listDirectory)
+import System.Directory (createDirectory, createFileLink, doesFileExist, getCurrentDirectory, listDirectory, removeFile)
 import System.Environment (lookupEnv, setEnv, unsetEnv)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -102,6 +104,17 @@ spec = do
       (code, out, _) <- heard (render' plainOptions {optionStrict = True})
       (code, out) `shouldBe` (ExitFailure 1, "")
       listDirectory "." >>= (`shouldBe` ["s.txt"])
+    it "says under --strict --quiet what is to be mended, and no notes" . inFolder $ do
+      -- A second camera in the place of the first is a note.
+      Text.writeFile "s.txt" (Text.replace "ray 1.0" "ray 1.O" sphereScene <> "camera\nend\ncamera\nend\n")
+      (_, _, all') <- heard (render' plainOptions)
+      all' `shouldContainText` "note: "
+      (code, out, err) <- heard (newJournal English False >>= (`render` plainOptions {optionStrict = True}))
+      (code, out) `shouldBe` (ExitFailure 1, "")
+      forM_ ["s.txt:13:5: error: '1.O' is not a number  [not-a-number]", "1 error", "nothing is drawn, as --strict asks"] (err `shouldContainText`)
+      ("note" `Text.isInfixOf` err) `shouldBe` False
+      (code', _, err') <- heard (newJournal English False >>= (`render` plainOptions))
+      (code', err') `shouldBe` (ExitSuccess, "")
     it "draws nothing under --strict where a model has faults, and all the same without" . inFolder $ do
       Text.writeFile "s.txt" (sphereScene <> "model\nfile a.msr\nend\n")
       Text.writeFile "a.msr" "camera\nend\n"
@@ -126,6 +139,18 @@ spec = do
       (code, out) `shouldBe` (ExitSuccess, "20 x 16 pixels, equal\n")
       (code', _, _) <- heard (render' plainOptions {optionCrop = Just (10, 0, 11, 16)})
       code' `shouldBe` ExitFailure 2
+    it "says in both languages that a size has too many pixels, of one option and of two" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      let asking l w h = heard (newJournal l True >>= (`render` plainOptions {optionWidth = w, optionHeight = h}))
+          many' = Just 20000
+      asking English many' many'
+        >>= (`shouldBe` (ExitFailure 2, "", "--width and --height ask for 20000 x 20000 pixels, more than the 268435456 that a picture may have\n"))
+      asking English (Just 200000000) Nothing
+        >>= (`shouldBe` (ExitFailure 2, "", "--width asks for 200000000 x 16 pixels, more than the 268435456 that a picture may have\n"))
+      asking French many' many'
+        >>= (`shouldBe` (ExitFailure 2, "", "--width et --height demandent 20000 x 20000 pixels, plus que les 268435456 qu'une image peut avoir\n"))
+      asking French Nothing (Just 200000000)
+        >>= (`shouldBe` (ExitFailure 2, "", "--height demande 20 x 200000000 pixels, plus que les 268435456 qu'une image peut avoir\n"))
   describe "check" $ do
     it "says nothing is wrong, and exits with 0" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
@@ -191,12 +216,23 @@ spec = do
       [s | s <- allSpellings, s `notElem` words', s `notElem` unused] `shouldBe` []
   describe "the run without arguments" $ do
     it "writes a configuration where there is none" . inFolder $ do
-      (code, out, _) <- heard runHere
+      (code, out, err) <- heard runHere
       code `shouldBe` ExitSuccess
       out `shouldContainText` "configuration.cfg"
       doesFileExist "configuration.cfg" >>= (`shouldBe` True)
-      (code', _, _) <- heard runHere
-      code' `shouldBe` ExitSuccess
+      here <- Text.pack <$> getCurrentDirectory
+      Text.lines err
+        `shouldBe` ["configuration.cfg was written to " <> here <> ": it says what dioptre does without a command; with 'application console' it draws the scene that read_data names"]
+      (code', _, err') <- heard runHere
+      (code', err') `shouldBe` (ExitSuccess, "default_scene.txt was written: the built-in scene, to be changed under another name\n")
+      heard runHere >>= \(code'', _, err'') -> (code'', err'') `shouldBe` (ExitSuccess, "")
+    it "says in French, too, what it writes, and nothing where it is to be quiet" . inFolder $ do
+      let runIn l loud = heard (newJournal l loud >>= \j -> readConfiguration >>= run j) >>= \(_, _, err) -> pure err
+      runIn French True >>= (`shouldContainText` "\xA0: il dit ce que fait dioptre sans commande\xA0; avec 'application console', il dessine la sc\xE8ne que nomme read_data\n")
+      runIn French True >>= (`shouldBe` "default_scene.txt a \xE9t\xE9 \xE9\&crit\xA0: la sc\xE8ne int\xE9gr\xE9\&e, \xE0 modifier sous un autre nom\n")
+      mapM_ removeFile ["configuration.cfg", "default_scene.txt"]
+      runIn English False >>= (`shouldBe` "")
+      runIn English False >>= (`shouldBe` "")
     it "draws, counts, logs, and writes the scene back" . inFolder $ do
       createDirectory "scenes"
       Text.writeFile "scenes/s.txt" sphereScene
@@ -274,6 +310,11 @@ spec = do
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\nlog_console no\nlog_file 0\n"
       heard runHere >>= (`shouldBe` (ExitSuccess, "ball_000.png\n", ""))
       doesFileExist "log.txt" >>= (`shouldBe` False)
+    it "stays silent under --quiet whatever the configuration says, and logs all the same" . inFolder $ do
+      Text.writeFile "s.txt" sphereScene
+      Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\nlog_console yes\n"
+      heard (newJournal English False >>= \j -> readConfiguration >>= run j) >>= (`shouldBe` (ExitSuccess, "ball_000.png\n", ""))
+      Text.readFile "log.txt" >>= (`shouldContainText` "reading scene 's.txt'")
     it "compares what a list names" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       Text.writeFile "list.txt" "texture_comparator\nfile s.txt\nfile s.txt\nend\n"
@@ -286,6 +327,34 @@ spec = do
       Text.writeFile "configuration.cfg" "application console\nread_data s.txt\nwrite_data out.txt\n"
       (_, _, err) <- heard (newJournal French True >>= \j -> readConfiguration >>= run j)
       err `shouldContainText` "lecture de la sc\xE8ne"
+  it "refuses a picture as a scene, in both languages" . inFolder $
+    forM_ pictureHeads $ \bytes -> do
+      Bytes.writeFile "s.txt" bytes
+      forM_
+        [ (`render` plainOptions),
+          \j -> check j AsText ["s.txt"],
+          \j -> explain j AsText "s.txt" 0 0,
+          \j -> compare j "s.txt" "s.txt",
+          \j -> fromMaybe ExitSuccess <$> timeout 20000000 (viewScene j (ViewOptions Nothing False) (Just "s.txt"))
+        ]
+        $ \command -> do
+          (code, out, err) <- heard (journal' command)
+          (code, out, take 1 (Text.lines err)) `shouldBe` (ExitFailure 3, "", ["s.txt: this is a picture, and no scene: a scene is a text"])
+          (code', out', err') <- heard (newJournal French True >>= command)
+          (code', out', take 1 (Text.lines err')) `shouldBe` (ExitFailure 3, "", ["s.txt\xA0: c'est une image, et non une sc\xE8ne\xA0: une sc\xE8ne est un texte"])
+      listDirectory "." >>= (`shouldBe` ["s.txt"])
+  it "refuses a picture that the configuration names as a scene" . inFolder $ do
+    Bytes.writeFile "s.png" (head pictureHeads)
+    Text.writeFile "configuration.cfg" "application console\nread_data s.png\nwrite_data out.txt\nlog_file no\n"
+    (code, out, err) <- heard runHere
+    (code, out) `shouldBe` (ExitFailure 3, "")
+    err `shouldContainText` "s.png: this is a picture, and no scene"
+  it "takes a text for one that begins with the letters of a picture" . inFolder $
+    forM_ ["BM5 is my camera\n", "GIF89a is a format\n"] $ \text -> do
+      Text.writeFile "s.txt" text
+      (code, out, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
+      code `shouldBe` ExitFailure 1
+      out `shouldContainText` "s.txt:1:1: error: unknown word"
   it "survives a scene of any bytes" . inFolder $ do
     Bytes.writeFile "s.txt" (Chars.pack ['\0' .. '\255'])
     (code, _, _) <- heard (render' plainOptions)
@@ -300,6 +369,15 @@ spec = do
       ["end", "fin", "view_frustum", "viewfrustum", "default_material", "scene", "model_msr", "console_comparator", "comparateur_console"]
         <> ["particle", "particule", "particles_system", "systeme_particules", "electric_charge", "charge_electrique"]
         <> ["texture_comparator", "texture_comparateur"]
+
+-- | The first bytes of pictures: PNG, JPEG, GIF, BMP.
+pictureHeads :: [Bytes.ByteString]
+pictureHeads =
+  [ "\x89PNG\r\n\x1A\n\0\0\0\rIHDR",
+    "\xFF\xD8\xFF\xE0\0\x10JFIF\0",
+    "GIF89a\x14\0\x10\0\x80\0\0",
+    "BM\x36\x10\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0"
+  ]
 
 -- | Works with a screen, and with a browser that shows nothing; or without a screen.
 withScreen :: Bool -> IO a -> IO a
