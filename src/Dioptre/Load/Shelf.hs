@@ -88,6 +88,9 @@ type Loading = StateT Shelf IO
 data Shelved = Shelved
   { -- | Its number there.
     shelvedNumber :: !Int,
+    -- | Whether its file has nothing to draw in it: no shape, no triangle, and no other model, not even one that
+    -- is left out.
+    shelvedIsEmpty :: !Bool,
     -- | Its shapes and triangles, those of the models in it counted as often as they are there.
     shelvedSize :: !Integer,
     -- | 1 for a model without others in it, otherwise one more than the highest of those.

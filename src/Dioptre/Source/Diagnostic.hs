@@ -98,6 +98,8 @@ data Problem
     NoModelFile
   | -- | A model whose file, by its name, is in none of the formats that are read.
     UnknownModelFormat Text
+  | -- | A model whose file has nothing to draw in it, neither shape nor triangle nor another model: its name.
+    EmptyModel Text
   | -- | A model that would hold itself: the files that name one another, from the one that is named again up to here.
     ModelCycle [FilePath]
   | -- | A model that would make models in models deeper than that.
@@ -367,6 +369,7 @@ severity = \case
   ReplacedObject {} -> Note
   NoModelFile -> Warning
   UnknownModelFormat {} -> Error
+  EmptyModel {} -> Warning
   ModelCycle {} -> Error
   ModelTooDeep {} -> Error
   TooManyParts {} -> Error
@@ -415,6 +418,7 @@ code = \case
   ReplacedObject {} -> "replaced-object"
   NoModelFile -> "no-model-file"
   UnknownModelFormat {} -> "unknown-model-format"
+  EmptyModel {} -> "empty-model"
   ModelCycle {} -> "model-cycle"
   ModelTooDeep {} -> "model-too-deep"
   TooManyParts {} -> "too-many-parts"

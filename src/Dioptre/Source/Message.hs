@@ -95,6 +95,10 @@ message l = \case
     say
       ["no format of models is known by the ending of ", quoted name]
       ["aucun format de modèle n'est connu sous l'extension de ", quoted name]
+  EmptyModel name ->
+    say
+      ["there is no shape in ", quoted name]
+      ["il n'y a aucune géométrie dans ", quoted name]
   ModelCycle files ->
     say
       ["this model would hold itself: ", chain files]
@@ -340,6 +344,7 @@ expected l = \case
   ReplacedObject {} -> Nothing
   NoModelFile -> Just (inLanguage l "'file', and the name of an obj, msr or agp file" "'file', et le nom d'un fichier obj, msr ou agp")
   UnknownModelFormat _ -> Just (inLanguage l "a name that ends in .obj, .msr or .agp" "un nom qui finit par .obj, .msr ou .agp")
+  EmptyModel _ -> Just (inLanguage l "a file with shapes, triangles or models, in the format that its ending says" "un fichier avec des géométries, des triangles ou des modèles, dans le format que dit son extension")
   ModelCycle _ -> Just (inLanguage l "a model that does not lead back to its own file" "un modèle qui ne ramène pas à son propre fichier")
   ModelTooDeep {} -> Nothing
   TooManyParts {} -> Nothing
@@ -421,6 +426,7 @@ used l = \case
   ReplacedObject {} -> Nothing
   NoModelFile -> say "nothing: there is nothing to draw" "rien\xA0: il n'y a rien à dessiner"
   UnknownModelFormat _ -> modelLeftOut
+  EmptyModel _ -> say "nothing: there is nothing to draw" "rien\xA0: il n'y a rien à dessiner"
   ModelCycle _ -> modelLeftOut
   ModelTooDeep {} -> modelLeftOut
   TooManyParts {} -> modelLeftOut

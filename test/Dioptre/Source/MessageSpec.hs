@@ -26,7 +26,7 @@ spec = do
         `shouldBe` sort
           ( ["unknown-word", "misplaced-word", "stray-end", "misspelt-end", "missing-end", "unclosed-comment", "behind-opening", "repeated-property", "second-shape", "decimal-comma"]
               <> ["no-material-name", "missing-material", "repeated-material", "replaced-object", "sampling-without-random"]
-              <> ["no-model-file", "unknown-model-format", "model-cycle", "model-too-deep", "too-many-parts", "differing-uv-format"]
+              <> ["no-model-file", "unknown-model-format", "empty-model", "model-cycle", "model-too-deep", "too-many-parts", "differing-uv-format"]
               <> ["missing-rows", "unequal-rows", "pieces-without-length"]
               <> ["bad-face", "mixed-face", "short-face", "missing-vertex", "missing-attribute", "no-attributes", "collinear-triangles", "long-line", "too-many-libraries", "unknown-material-of-model", "more-faults"]
               <> ["missing-file", "several-files", "unreadable-file"]
@@ -73,7 +73,7 @@ problems =
     <> [SecondShape "primitive", DecimalComma "angle" "20"]
     <> [ImpossibleObject "camera" f d | f <- flaws, d <- [LeftOut, Superseded]]
     <> [NoMaterialName, MissingMaterial "a" Nothing, MissingMaterial "a" (Just "b"), RepeatedMaterial "a" 3, ReplacedObject "camera" 3, SamplingWithoutRandom 4]
-    <> [NoModelFile, UnknownModelFormat "a.stl", ModelCycle ["a.msr", "b.msr", "a.msr"], ModelTooDeep "a.msr" 64, TooManyParts "a.msr" (2 ^ (48 :: Int)), DifferingUvFormat "a.obj" "default"]
+    <> [NoModelFile, UnknownModelFormat "a.stl", EmptyModel "a.obj", ModelCycle ["a.msr", "b.msr", "a.msr"], ModelTooDeep "a.msr" 64, TooManyParts "a.msr" (2 ^ (48 :: Int)), DifferingUvFormat "a.obj" "default"]
     <> [BrokenCurve f | f <- [RowsMissing 1, RowsMissing 2, RowsDiffer 2 3, RowRefused (NotANumber "x"), RowRefused (TooLarge "1e101")]]
     <> [PiecesWithoutLength n | n <- [1, 2]]
     <> [BadCoordinates what (NotANumber "x") | what <- [OfVertex, OfAttribute TextureCoordinate, OfAttribute Normal]]
