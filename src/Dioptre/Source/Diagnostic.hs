@@ -193,6 +193,9 @@ data Refusal
   | OutOfRange Text
   | -- | So many values were expected, so many found; and what may be the reason.
     WrongCount Int Int Guess
+  | -- | The name of a colour with more behind it than an alpha, so that it stands where a number would; and what may be
+    -- the reason.
+    NameAmongNumbers Text Guess
   | -- | A word that is not one of those; the one that may have been meant.
     NoSuchChoice Text (Maybe Text)
   | -- | A name that would lead out of the working directory, or that holds a control character.
@@ -212,8 +215,10 @@ data Refusal
 -- | Why there may be too many values.
 data Guess
   = NoGuess
-  | -- | The first too many begins a comment.
+  | -- | One of the values begins a comment.
     CommentBehind
+  | -- | This word, an @end@, stands behind the values.
+    EndBehind Text
   | -- | A comma stands between two digits.
     CommaInNumber
   | -- | One of the values is a sign such as @=@.
@@ -457,6 +462,7 @@ refusalCode :: Refusal -> Text
 refusalCode = \case
   NothingThere -> "missing-value"
   NotANumber {} -> "not-a-number"
+  NameAmongNumbers {} -> "not-a-number"
   NotAnInteger {} -> "not-an-integer"
   TooLarge {} -> "number-too-large"
   OutOfRange {} -> "out-of-range"

@@ -24,6 +24,7 @@ import Dioptre.Source.DepartureMessage (here, originally)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Phrase (brief, counted, number, quoted, showReal)
+import Dioptre.Source.Words (beginsRemark)
 import Numeric (showHex)
 
 -- | The name of a severity.
@@ -228,6 +229,10 @@ refused l w = \case
     say
       [counted l found ("value", "values") ("valeur", "valeurs"), ", where ", quoted w, " takes ", number wanted, guessed guess]
       [counted l found ("value", "values") ("valeur", "valeurs"), ", où ", quoted w, " en prend ", number wanted, guessed guess]
+  NameAmongNumbers t guess ->
+    say
+      [quoted t, " names a colour, behind which stands nothing but an alpha", guessed guess]
+      [quoted t, " nomme une couleur, derrière laquelle ne vient rien qu'un alpha", guessed guess]
   NoSuchChoice t guess ->
     say
       [quoted t, " means nothing to ", quoted w, maybe "" (\g -> "; did you mean " <> quoted g <> "?") guess, signs t]
@@ -248,13 +253,19 @@ refused l w = \case
     say en fr = Text.concat (inLanguage l en fr)
     guessed = \case
       NoGuess -> ""
-      CommentBehind -> inLanguage l "; a comment needs a line of its own" "\xA0; un commentaire doit avoir sa propre ligne"
+      CommentBehind -> ownLine (inLanguage l "a comment" "un commentaire")
+      EndBehind t -> ownLine (quoted t)
       CommaInNumber -> inLanguage l "; a comma separates values, decimals follow a point" "\xA0; une virgule sépare des valeurs, les décimales suivent un point"
       SignsAround -> withoutSigns
     -- What may be wrong with what is no number, or no such word.
     signs t = case oddity l t of
       Just o -> inLanguage l "; it holds " "\xA0; il contient " <> o
-      Nothing -> if Text.any (`elem` ("=:;" :: String)) t then withoutSigns else ""
+      Nothing
+        | beginsRemark t -> guessed CommentBehind
+        | Text.toLower t `elem` ["end", "fin"] -> guessed (EndBehind t)
+        | Text.any (`elem` ("=:;" :: String)) t -> withoutSigns
+        | otherwise -> ""
+    ownLine what = inLanguage l "; " "\xA0; " <> what <> inLanguage l " needs a line of its own" " doit avoir sa propre ligne"
     withoutSigns = inLanguage l "; values follow their word, without '=', ':' or ';'" "\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"
 
 flawed :: Language -> Text -> Flaw -> Text

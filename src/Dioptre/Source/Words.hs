@@ -1,4 +1,5 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Source.Words
@@ -21,6 +22,9 @@ module Dioptre.Source.Words
     -- * Blanks
     isBlank,
     isBlankInObj,
+
+    -- * Comments
+    beginsRemark,
   )
 where
 
@@ -60,3 +64,10 @@ isBlank c = c == ' ' || c == '\t' || c == '\f'
 -- | Whether a character separates words in an OBJ or MTL file. ("Dioptre.Model.Words" has the same for bytes.)
 isBlankInObj :: Char -> Bool
 isBlankInObj c = c == ' ' || (c >= '\t' && c <= '\r')
+
+-- | Whether a word looks as if a comment were to begin with it, where none can: behind a value.
+--
+-- >>> map beginsRemark ["#", "//", "/*", "--", "-1", "red"]
+-- [True,True,True,True,False,False]
+beginsRemark :: Text -> Bool
+beginsRemark word = Text.take 1 word `elem` ["#", "/", "*", "!", "@"] || "--" `Text.isPrefixOf` word

@@ -327,6 +327,13 @@ wording = describe "what is told" $ do
       `isTold` [ ("'1' is the name of no colour; a colour in numbers takes three of them, or four", "'1' n'est le nom d'aucune couleur\xA0; en nombres, une couleur en prend trois ou quatre"),
                  ("'bleue' means nothing to 'color'; did you mean 'bleu'?", "'bleue' ne dit rien à 'color'\xA0; vouliez-vous dire 'bleu'\xA0?")
                ]
+  it "is of a colour, too, that comments and ends have lines of their own" $ do
+    let told line = isTold ["material", "name a", line, "end"]
+    told "color red # rouge" [("'red' names a colour, behind which stands nothing but an alpha; a comment needs a line of its own", "'red' nomme une couleur, derrière laquelle ne vient rien qu'un alpha\xA0; un commentaire doit avoir sa propre ligne")]
+    told "color 1 0 0 # rouge" [("5 values, where 'color' takes 4; a comment needs a line of its own", "5 valeurs, où 'color' en prend 4\xA0; un commentaire doit avoir sa propre ligne")]
+    for_ ["color red #rouge", "color 1 0 0 #rouge"] (`told` [("'#rouge' is not a number; a comment needs a line of its own", "'#rouge' n'est pas un nombre\xA0; un commentaire doit avoir sa propre ligne")])
+    told "color red end" [("'end' is not a number; 'end' needs a line of its own", "'end' n'est pas un nombre\xA0; 'end' doit avoir sa propre ligne")]
+    ["camera", "up 0 1 0 fin", "end"] `isTold` [("4 values, where 'up' takes 3; 'fin' needs a line of its own", "4 valeurs, où 'up' en prend 3\xA0; 'fin' doit avoir sa propre ligne")]
   it "is of an object whether it has a property or a number behind its word, and of nothing else there" $ do
     primitive ["material_name none", "sphere ray 3", "end"] `isTold` [("'ray' is not read behind 'sphere': a property has a line of its own", "'ray' n'est pas lu derrière 'sphere'\xA0: une propriété a sa propre ligne")]
     (filter ((== "behind-opening") . code . diagnosticProblem) . readingDiagnostics . readLines) (primitive ["sphere (3)", "end"]) `shouldBe` [at 2 9 10 (BehindOpening "sphere" "3")]
@@ -375,7 +382,7 @@ values = describe "a value" $ do
     ["material", "color rde", "color 1 -0.5 1", "color blue 2 3", "color red x", "end"]
       `saysOf` [ at 2 7 10 (RefusedValue "color" (NoSuchChoice "rde" (Just "red")) (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
                  at 3 9 13 (RefusedValue "color" (OutOfRange "-0.5") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
-                 at 4 7 11 (RefusedValue "color" (NotANumber "blue") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
+                 at 4 7 11 (RefusedValue "color" (NameAmongNumbers "blue" NoGuess) (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
                  at 5 11 12 (RefusedValue "color" (NotANumber "x") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]"))
                ]
   it "that is negative leaves the object as it was" $

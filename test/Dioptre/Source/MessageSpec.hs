@@ -88,7 +88,7 @@ problems =
 refusals :: [Refusal]
 refusals =
   [NothingThere, NotANumber "x", NotAnInteger "x", TooLarge "1e400", OutOfRange "-1", NoSuchChoice "x" Nothing, NoSuchChoice "x" (Just "y"), UnsafeName, NameTaken, WrongEnding, ZeroVector, ZeroComponent, SamePoint]
-    <> [WrongCount 3 4 g | g <- [NoGuess, CommentBehind, CommaInNumber, SignsAround]]
+    <> [r g | r <- [WrongCount 3 4, NameAmongNumbers "red"], g <- [NoGuess, CommentBehind, EndBehind "end", CommaInNumber, SignsAround]]
 
 flaws :: [Flaw]
 flaws =
