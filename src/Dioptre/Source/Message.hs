@@ -24,7 +24,7 @@ import Dioptre.Source.DepartureMessage (here, originally)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Phrase (brief, counted, number, quoted, showReal)
-import Dioptre.Source.Words (beginsRemark)
+import Dioptre.Source.Words (beginsRemark, goesOnWithRemark)
 import Numeric (showHex)
 
 -- | The name of a severity.
@@ -80,8 +80,8 @@ message l = \case
     say ["this primitive names no material"] ["cette primitive ne nomme pas de matériel"]
   MissingMaterial name guess ->
     say
-      ["no material is called ", withBlanks l name, maybe "" (\g -> "; did you mean " <> withBlanks l g <> "?") guess]
-      ["aucun matériel ne s'appelle ", withBlanks l name, maybe "" (\g -> "\xA0; vouliez-vous dire " <> withBlanks l g <> "\xA0?") guess]
+      ["no material is called ", withBlanks l name, maybe "" (\g -> "; did you mean " <> withBlanks l g <> "?" <> wholeLine name g) guess]
+      ["aucun matériel ne s'appelle ", withBlanks l name, maybe "" (\g -> "\xA0; vouliez-vous dire " <> withBlanks l g <> "\xA0?" <> wholeLine name g) guess]
   RepeatedMaterial name n ->
     say
       ["a material is called ", quoted name, " already, on line ", number n]
@@ -175,6 +175,9 @@ message l = \case
     say en fr = Text.concat (inLanguage l en fr)
     meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> inLanguage l "?" "\xA0?")
     strange = maybe "" (inLanguage l ", which holds " ", qui contient " <>) . oddity l
+    wholeLine a b
+      | a `goesOnWithRemark` b || b `goesOnWithRemark` a = inLanguage l " A name is all that stands up to the end of its line" " Un nom est tout ce qui vient jusqu'à la fin de sa ligne"
+      | otherwise = ""
     folderName folder
       | folder == "." = inLanguage l "the working directory" "le répertoire courant"
       | folder == "./..." = inLanguage l "any folder below" "tout dossier plus bas"

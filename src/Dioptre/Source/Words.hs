@@ -25,6 +25,7 @@ module Dioptre.Source.Words
 
     -- * Comments
     beginsRemark,
+    goesOnWithRemark,
   )
 where
 
@@ -71,3 +72,12 @@ isBlankInObj c = c == ' ' || (c >= '\t' && c <= '\r')
 -- [True,True,True,True,False,False]
 beginsRemark :: Text -> Bool
 beginsRemark word = Text.take 1 word `elem` ["#", "/", "*", "!", "@"] || "--" `Text.isPrefixOf` word
+
+-- | Whether a text is another one with a blank and what looks like a comment behind it.
+--
+-- >>> map (`goesOnWithRemark` "paint") ["paint # of oak", "paint", "paint #", "paint#", "painted # oak"]
+-- [True,False,True,False,False]
+goesOnWithRemark :: Text -> Text -> Bool
+goesOnWithRemark whole begun = case Text.stripPrefix begun whole of
+  Just behind -> Text.any isBlank (Text.take 1 behind) && beginsRemark (Text.dropWhile isBlank behind)
+  Nothing -> False

@@ -20,6 +20,7 @@ import Data.List (find, sort, sortOn)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Dioptre.Source.Words (goesOnWithRemark)
 import Text.EditDistance (defaultEditCosts, restrictedDamerauLevenshteinDistance)
 
 -- | Whether two words differ by one slip of the finger: exactly one letter put in, left out, replaced or swapped.
@@ -103,16 +104,19 @@ unaccented = Text.map (\c -> fromMaybe c (lookup c accents))
   where
     accents = zip "\224\226\228\231\232\233\234\235\238\239\244\246\249\251\252" "aaaceeeeiioouuu"
 
--- | The name that may have been meant by a name: one that is the same but for case and blanks at the end; or else
--- 'suggest', with its bounds.
+-- | The name that may have been meant by a name: one that is the same but for case and blanks at the end; or one that
+-- goes on, or stops, where a remark begins; or else 'suggest', with its bounds.
 --
 -- >>> suggestName ["th\233", "caf\233  "] "CAF\201"
 -- Just "caf\233  "
+-- >>> suggestName ["paint # the wall's"] "paint"
+-- Just "paint # the wall's"
 suggestName :: [Text] -> Text -> Maybe Text
 suggestName candidates name
-  | Text.compareLength name 60 == GT = Nothing
-  | otherwise = find ((== bare name) . bare) (filter short (take 300 candidates)) <|> suggest candidates name
+  | Text.compareLength name 60 == GT = remark
+  | otherwise = find ((== bare name) . bare) (filter short (take 300 candidates)) <|> remark <|> suggest candidates name
   where
+    remark = find (\c -> c `goesOnWithRemark` name || name `goesOnWithRemark` c) (take 300 candidates)
     bare = Text.toCaseFold . Text.stripEnd
     short c = Text.compareLength c 100 /= GT
 

@@ -310,6 +310,12 @@ wording = describe "what is told" $ do
       `isTold` [("no material is called 'café'; did you mean 'café  ' with 2 blanks at its end?", "aucun matériel ne s'appelle 'café'\xA0; vouliez-vous dire 'café  ' avec 2 blancs à la fin\xA0?")]
     named "CAFÉ "
       `isTold` [("no material is called 'CAFÉ ' with 1 blank at its end; did you mean 'café  ' with 2 blanks at its end?", "aucun matériel ne s'appelle 'CAFÉ ' avec 1 blanc à la fin\xA0; vouliez-vous dire 'café  ' avec 2 blancs à la fin\xA0?")]
+  it "says of a name with a remark behind it that it goes to the end of its line" $ do
+    let named a b = ["material", "name " <> a, "end", "primitive", "material_name " <> b, "sphere", "end", "end"]
+    named "paint # la peinture" "paint"
+      `isTold` [("no material is called 'paint'; did you mean 'paint # la peinture'? A name is all that stands up to the end of its line", "aucun matériel ne s'appelle 'paint'\xA0; vouliez-vous dire 'paint # la peinture'\xA0? Un nom est tout ce qui vient jusqu'à la fin de sa ligne")]
+    named "paint" "paint  // oak"
+      `isTold` [("no material is called 'paint  // oak'; did you mean 'paint'? A name is all that stands up to the end of its line", "aucun matériel ne s'appelle 'paint  // oak'\xA0; vouliez-vous dire 'paint'\xA0? Un nom est tout ce qui vient jusqu'à la fin de sa ligne")]
   it "names characters that are not seen, or are not what they look like" $ do
     primitive ["sphere", "ray\xA0\&2 x", "end"]
       `isTold` [("unknown word 'ray\xA0\&2', which holds a no-break space (U+00A0); did you mean 'ray 2'?", "mot inconnu\xA0: 'ray\xA0\&2', qui contient une espace insécable (U+00A0)\xA0; vouliez-vous dire 'ray 2'\xA0?")]
