@@ -94,8 +94,8 @@ spec = do
       loaded <- loadingFiles [("s.txt", model "no.obj" [] <> model "NO.obj" [] <> model "b.msr" []), ("x/b.msr", ball "1"), ("y/b.msr", ball "1")]
       outlineOf loaded `shouldBe` ([], [])
       saidIn loaded
-        `shouldBe` [ ("s.txt", Span 2 6 12, UnusableFile "no.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."])),
-                     ("s.txt", Span 5 6 12, UnusableFile "NO.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."])),
+        `shouldBe` [ ("s.txt", Span 2 6 12, UnusableFile "no.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
+                     ("s.txt", Span 5 6 12, UnusableFile "NO.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
                      ("s.txt", Span 8 6 11, UnusableFile "b.msr" ForModel (SeveralFiles ["x/b.msr", "y/b.msr"]))
                    ]
     it "with nothing to draw in it is warned of wherever it is named, and one that names models is not" $ do
@@ -165,7 +165,7 @@ spec = do
           [("s.txt", model "a.msr" []), ("m/a.msr", ["texture_material", "name a", "texture_ka no.png", "texture_kd bark.png", "end", "primitive", "material_name a", "sphere", "end", "end"])]
           (savePicture "m/bark.png" green >> savePicture "bark.png" red)
       map layersOf (finishesOf loaded) `shouldBe` [[Nothing, Just (Texture FromFirstRow green), Nothing]]
-      saidIn loaded `shouldBe` [("m/a.msr", Span 3 12 18, UnusableFile "no.png" ForTexture (NoSuchFile ["m", "scenes", "models", "./..."]))]
+      saidIn loaded `shouldBe` [("m/a.msr", Span 3 12 18, UnusableFile "no.png" ForTexture (NoSuchFile ["m", "scenes", "models", "./..."] Nothing))]
     it "has its first row where the first model that names the file says" $
       forM_ [([], FromFirstRow), (["uv_format 1"], FromFirstRow), (["uv_format origin_uv_bottom_left"], FromLastRow)] $ \(format, upward) -> do
         loaded <-
@@ -201,8 +201,8 @@ spec = do
             ("yes.mtl", ["newmtl red", "map_Kd no.png"])
           ]
       saidIn loaded
-        `shouldBe` [ ("yes.mtl", Span 2 8 14, UnusableFile "no.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."])),
-                     ("a.obj", Span 1 8 14, UnusableFile "no.mtl" ForMaterialLibrary (NoSuchFile [".", "scenes", "models", "./..."])),
+        `shouldBe` [ ("yes.mtl", Span 2 8 14, UnusableFile "no.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
+                     ("a.obj", Span 1 8 14, UnusableFile "no.mtl" ForMaterialLibrary (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
                      ("a.obj", Span 6 8 12, UnknownMaterialOfModel "blue")
                    ]
       map outline (concatMap contentParts (toList (libraryModels (loadedLibrary loaded)))) `shouldBe` ["1 triangles", "1 triangles"]

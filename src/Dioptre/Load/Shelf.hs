@@ -135,8 +135,8 @@ seek :: FilePath -> Text -> IO (Either FileTrouble Found)
 seek folder name = search "." folder name >>= either (pure . Left . trouble) (\path -> Right <$> (Found path <$> canonicalizePath path <*> stampOf path))
   where
     trouble fault = case fault of
-      NoName _ -> NoSuchFile []
-      NotFound _ places -> NoSuchFile (map folderOf (toList places))
+      NoName _ -> NoSuchFile [] Nothing
+      NotFound _ places near -> NoSuchFile (map folderOf (toList places)) near
       SeveralFound _ paths -> SeveralFiles (toList paths)
     folderOf place = case place of
       Within f -> f

@@ -319,8 +319,8 @@ data FileUse
 
 -- | What is the matter with a file.
 data FileTrouble
-  = -- | There is none of that name in these folders.
-    NoSuchFile [FilePath]
+  = -- | There is none of that name in these folders; one of them that may have been meant.
+    NoSuchFile [FilePath] (Maybe Text)
   | -- | There are several.
     SeveralFiles [FilePath]
   | -- | There is one, but it cannot be read, in the words of who tried.
@@ -447,7 +447,7 @@ code = \case
   UnknownMaterialOfModel {} -> "unknown-material-of-model"
   MoreFaults {} -> "more-faults"
   UnusableFile _ _ trouble -> case trouble of
-    NoSuchFile _ -> "missing-file"
+    NoSuchFile {} -> "missing-file"
     SeveralFiles _ -> "several-files"
     Unreadable _ -> "unreadable-file"
     Undecodable _ -> "unreadable-file"

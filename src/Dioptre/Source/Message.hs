@@ -155,10 +155,10 @@ message l = \case
       ("more fault is in this file: this one", "more faults are in this file, from here on")
       ("autre faute dans ce fichier\xA0: celle-ci", "autres fautes dans ce fichier, à partir d'ici")
   UnusableFile name _ trouble -> case trouble of
-    NoSuchFile folders ->
+    NoSuchFile folders guess ->
       say
-        ["no file is called ", quoted name, " in ", Text.intercalate ", " (map folderName folders)]
-        ["aucun fichier ne s'appelle ", quoted name, " dans ", Text.intercalate ", " (map folderName folders)]
+        ["no file is called ", quoted name, " in ", Text.intercalate ", " (map folderName folders), meant guess]
+        ["aucun fichier ne s'appelle ", quoted name, foldMap ((", ni dans " <>) . folderName) folders, meant guess]
     SeveralFiles paths ->
       say
         ["several files are called ", quoted name, ": ", folderList paths]
@@ -180,7 +180,7 @@ message l = \case
       | otherwise = ""
     folderName folder
       | folder == "." = inLanguage l "the working directory" "le répertoire courant"
-      | folder == "./..." = inLanguage l "any folder below" "tout dossier plus bas"
+      | folder == "./..." = inLanguage l "any folder below" "un dossier plus bas"
       | otherwise = Text.pack folder
     folderList = Text.intercalate ", " . map Text.pack
     chain = Text.intercalate " > " . map Text.pack

@@ -43,8 +43,12 @@ spec = do
         used l (RefusedValue "ray" (OutOfRange "-1") AVector (Kept "2.0")) `shouldBe` Just "2.0"
         expected l (RefusedValue "ray" (OutOfRange "-1") (ARealNumber (Between "10.0" "170.0")) (Kept "2.0")) `shouldSatisfy` maybe False (\t -> all (`Text.isInfixOf` t) ["10.0", "170.0"])
     it "has folders that a person can name" $
-      [message l (UnusableFile "a.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."])) | l <- [English, French]]
-        `shouldBe` ["no file is called 'a.png' in the working directory, scenes, models, any folder below", "aucun fichier ne s'appelle 'a.png' dans le répertoire courant, scenes, models, tout dossier plus bas"]
+      [message l (UnusableFile "a.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."] g)) | g <- [Nothing, Just "b.png"], l <- [English, French]]
+        `shouldBe` [ "no file is called 'a.png' in the working directory, scenes, models, any folder below",
+                     "aucun fichier ne s'appelle 'a.png', ni dans le répertoire courant, ni dans scenes, ni dans models, ni dans un dossier plus bas",
+                     "no file is called 'a.png' in the working directory, scenes, models, any folder below; did you mean 'b.png'?",
+                     "aucun fichier ne s'appelle 'a.png', ni dans le répertoire courant, ni dans scenes, ni dans models, ni dans un dossier plus bas\xA0; vouliez-vous dire 'b.png'\xA0?"
+                   ]
     it "says what becomes of an object, whatever its gender" $
       [used l (ImpossibleObject "camera" NowhereToLook f) | l <- [English, French], f <- [LeftOut, Superseded]]
         `shouldBe` map Just ["nothing: it is left out", "the one before it, or the default", "rien\xA0: cet objet est omis", "l'objet d'avant, ou celui par défaut"]
@@ -82,7 +86,7 @@ problems =
     <> [MissingAttribute a "9" n | a <- [TextureCoordinate, Normal], n <- [1, 8]]
     <> [NoAttributes a n | a <- [TextureCoordinate, Normal], n <- [1, 2]]
     <> [CollinearTriangles 1, CollinearTriangles 2, LongLine 100, TooManyLibraries 100, UnknownMaterialOfModel "gold", MoreFaults 1, MoreFaults 2]
-    <> [UnusableFile "a" u t | u <- [ForTexture, ForMask, ForModel, ForMaterialLibrary], t <- [NoSuchFile ["scenes"], SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
+    <> [UnusableFile "a" u t | u <- [ForTexture, ForMask, ForModel, ForMaterialLibrary], t <- [NoSuchFile ["scenes"] Nothing, NoSuchFile ["scenes"] (Just "b"), SeveralFiles ["a/a", "b/a"], Unreadable "torn"]]
     <> [UnusableFile "a" ForTexture (Undecodable f) | f <- [NoPicture, ClaimsPixels 70000000, FewerPixels, NoHeader, CutOff, NoImage, LongCodes, TooMuchMemory, Damaged]]
 
 refusals :: [Refusal]
