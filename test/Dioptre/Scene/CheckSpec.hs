@@ -296,6 +296,8 @@ wording = describe "what is told" $ do
       `shouldBe` map (pure . Just) ["lumiere_directionnelle", "lumiere_ponctuelle", "texture_materiel", "camera", "materiel"]
     map (\line -> guess ["camera", line, "end"]) ["look at 0 0 1", "angle=60", "angle:60", "position[0,0,1] x", "angle\xA0\&60"]
       `shouldBe` map (pure . Just) ["look_at", "angle 60", "angle 60", "position [0,0,1]", "angle 60"]
+    map (\line -> guess (primitive ["sphere", line, "end"])) ["radius 2", "centre 0 0 1"] `shouldBe` map (pure . Just) ["ray", "position"]
+    ["material", "name a", "color \"red\"", "end"] `isTold` [("'\"red\"' means nothing to 'color'; did you mean 'red'?", "'\"red\"' ne dit rien à 'color'\xA0; vouliez-vous dire 'red'\xA0?")]
     map (\line -> guess (primitive ["torus", line, "end"])) ["rayon_majeur 2", "rayon_mineur 2"] `shouldBe` map (pure . Just) ["major_radius", "minor_radius"]
   it "is of a name that is missing that alone" $
     ["primitive", "  material_name", "  sphere", "  end", "end"] `isTold` [("'material_name' has no value", "'material_name' n'a pas de valeur")]
