@@ -267,7 +267,10 @@ refused l w = \case
         | beginsRemark t -> guessed CommentBehind
         | Text.toLower t `elem` ["end", "fin"] -> guessed (EndBehind t)
         | Text.any (`elem` ("=:;" :: String)) t -> withoutSigns
+        | beginsNumber t, Text.any (`elem` ("\xB0\xBA" :: String)) t -> inLanguage l "; angles are in degrees, without '\xB0'" "\xA0; les angles sont en degrés, sans '\xB0'"
+        | beginsNumber t, Text.any (== '%') t -> inLanguage l "; numbers have no '%': 20% is 0.2" "\xA0; les nombres n'ont pas de '%'\xA0: 20% s'écrit 0.2"
         | otherwise -> ""
+    beginsNumber = Text.any (\c -> isDigit c || c `elem` ("+-." :: String)) . Text.take 1
     ownLine what = inLanguage l "; " "\xA0; " <> what <> inLanguage l " needs a line of its own" " doit avoir sa propre ligne"
     withoutSigns = inLanguage l "; values follow their word, without '=', ':' or ';'" "\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"
 

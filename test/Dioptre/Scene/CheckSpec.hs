@@ -331,6 +331,11 @@ wording = describe "what is told" $ do
                  ("5 values, where 'position' takes 3; values follow their word, without '=', ':' or ';'", "5 valeurs, où 'position' en prend 3\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"),
                  ("'=' is not a number; values follow their word, without '=', ':' or ';'", "'=' n'est pas un nombre\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'")
                ]
+    ["camera", "angle 60\xB0", "end", "material", "ka 20%", "kd %", "end"]
+      `isTold` [ ("'60\xB0' is not a number; angles are in degrees, without '\xB0'", "'60\xB0' n'est pas un nombre\xA0; les angles sont en degrés, sans '\xB0'"),
+                 ("'20%' is not a number; numbers have no '%': 20% is 0.2", "'20%' n'est pas un nombre\xA0; les nombres n'ont pas de '%'\xA0: 20% s'écrit 0.2"),
+                 ("'%' is not a number", "'%' n'est pas un nombre")
+               ]
     ["material", "color 1 1", "color bleue", "end"]
       `isTold` [ ("'1' is the name of no colour; a colour in numbers takes three of them, or four", "'1' n'est le nom d'aucune couleur\xA0; en nombres, une couleur en prend trois ou quatre"),
                  ("'bleue' means nothing to 'color'; did you mean 'bleu'?", "'bleue' ne dit rien à 'color'\xA0; vouliez-vous dire 'bleu'\xA0?")
