@@ -144,8 +144,10 @@ data Problem
 data PassedOver
   = -- | The one line.
     TheLine
-  | -- | An object, whole, down to that line.
+  | -- | An object, whole, down to that line, which is a later one.
     TheObject Int
+  | -- | An object of which there is nothing but the line that opens it.
+    TheOpening
   deriving stock (Eq, Show)
 
 -- | What a property wants.

@@ -387,7 +387,7 @@ expected l = \case
   UnusableFile _ use _ -> Just $ case use of
     ForModel -> inLanguage l "one obj, msr or agp file of that name" "un seul fichier obj, msr ou agp de ce nom"
     ForMaterialLibrary -> inLanguage l "one mtl file of that name" "un seul fichier mtl de ce nom"
-    _ -> inLanguage l "one picture (png, jpg, gif or tga) of that name" "une seule image (png, jpg, gif ou tga) de ce nom"
+    _ -> inLanguage l "one picture (png, jpg, gif, bmp or tga) of that name" "une seule image (png, jpg, gif, bmp ou tga) de ce nom"
   SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
   Departs _ -> Nothing
   where
@@ -476,8 +476,10 @@ used l = \case
       Normal -> say "the normals of the flat triangles" "les normales des triangles plats"
     faceLeftOut = say "nothing: the face is left out" "rien\xA0: la face est omise"
     modelLeftOut = say "nothing: the model is left out" "rien\xA0: le modèle est omis"
+    lineAlone = inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
     passedOver = \case
-      TheLine -> inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
+      TheLine -> lineAlone
+      TheOpening -> lineAlone
       TheObject n -> inLanguage l ("nothing: all is passed over down to line " <> number n) ("rien\xA0: tout est ignoré jusqu'à la ligne " <> number n)
 
 -- | What a property wants, in words.
@@ -506,4 +508,4 @@ expectation l = \case
       Between a b -> inLanguage l (" from " <> a <> " to " <> b) (" de " <> a <> " à " <> b)
 
 oneOf :: Language -> [Text] -> Text
-oneOf l words' = inLanguage l "one of " "un de " <> Text.intercalate ", " words'
+oneOf l words' = inLanguage l "one of " "l'un de " <> Text.intercalate ", " words'

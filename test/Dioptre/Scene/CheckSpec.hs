@@ -124,6 +124,8 @@ blocks = describe "a word that cannot stand where it stands" $ do
     map (\d -> (diagnosticSpan d, passed d)) (errorsOf (readLines ["thing", "position 1 2 3", "other", "x"])) `shouldBe` [(Span 1 1 6, Just (TheObject 4))]
   it "is passed over to an end with a slip in it" $
     map (\d -> (diagnosticSpan d, passed d)) (errorsOf (readLines ["thing", "position 1", "edn", "camera", "end"])) `shouldBe` [(Span 1 1 6, Just (TheObject 3))]
+  it "is passed over alone where nothing is in it" $
+    map passed (errorsOf (readLines ["camera", "end", "thing"])) `shouldBe` [Just TheOpening]
   it "is passed over with what is wrong in it" $
     said ["thing", "angle x", "end", "sphre", "ray", "end", "end", "sphere", "end"]
       `shouldBe` [("unknown-word", 1, 1, 6), ("unknown-word", 4, 1, 6), ("stray-end", 7, 1, 4), ("misplaced-word", 8, 1, 7)]

@@ -63,12 +63,16 @@ spec = do
       for_ expectations $ \e -> do
         map (\l -> Text.null (expectation l e)) [English, French] `shouldBe` [False, False]
         expectation English e `shouldNotBe` expectation French e
+  it "is one of several words, and all formats of pictures, in either language" $ do
+    [expected l (UnknownWord "x" ["a", "b"] Nothing TheLine) | l <- [English, French]] `shouldBe` [Just "one of a, b", Just "l'un de a, b"]
+    [expected l (UnusableFile "x" ForTexture (Undecodable NoPicture)) | l <- [English, French]]
+      `shouldBe` [Just "one picture (png, jpg, gif, bmp or tga) of that name", Just "une seule image (png, jpg, gif, bmp ou tga) de ce nom"]
   it "names severities" $ [severityName l s | l <- [English, French], s <- [Note, Warning, Error]] `shouldBe` ["note", "warning", "error", "remarque", "avertissement", "erreur"]
 
 -- | One problem of each kind, and of each kind of each part.
 problems :: [Problem]
 problems =
-  [UnknownWord "a" ["b"] g p | g <- [Nothing, Just "b"], p <- [TheLine, TheObject 3]]
+  [UnknownWord "a" ["b"] g p | g <- [Nothing, Just "b"], p <- [TheLine, TheObject 3, TheOpening]]
     <> [MisplacedWord "a" o ["b"] TheLine | o <- [Nothing, Just "camera"]]
     <> [StrayEnd "end", MisspeltEnd "edn", MissingEnd "camera" Nothing, MissingEnd "camera" (Just ("model", 3)), UnclosedComment, BehindOpening "camera" "angle"]
     <> [RefusedValue "a" r e k | r <- refusals, e <- take 1 expectations, k <- [TheDefault, Kept "1.0"]]
