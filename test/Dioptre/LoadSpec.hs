@@ -94,12 +94,28 @@ spec = do
       loaded <- loadingFiles [("s.txt", model "no.obj" [] <> model "NO.obj" [] <> model "b.msr" []), ("x/b.msr", ball "1"), ("y/b.msr", ball "1")]
       outlineOf loaded `shouldBe` ([], [])
       saidIn loaded
-        `shouldBe` [ ("s.txt", Span 2 6 12, UnusableFile "no.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."])),
-                     ("s.txt", Span 5 6 12, UnusableFile "NO.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."])),
+        `shouldBe` [ ("s.txt", Span 2 6 12, UnusableFile "no.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
+                     ("s.txt", Span 5 6 12, UnusableFile "NO.obj" ForModel (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
                      ("s.txt", Span 8 6 11, UnusableFile "b.msr" ForModel (SeveralFiles ["x/b.msr", "y/b.msr"]))
                    ]
+    it "with nothing to draw in it is warned of wherever it is named, and one that names models is not" $ do
+      let files = ["a.obj", "b.obj", "c.obj", "d.agp", "e.agp", "f.msr", "f.msr"]
+      loaded <-
+        loading
+          [ ("s.txt", foldMap (`model` []) files <> model "g.msr" []),
+            ("a.obj", []),
+            ("b.obj", ["v 0 0 0"]),
+            ("d.agp", []),
+            ("e.agp", ["curve", "once upon a time"]),
+            ("f.msr", ["material", "name a", "end"]),
+            ("g.msr", model "a.obj" [])
+          ]
+          (Bytes.writeFile "c.obj" (Bytes.pack [0 .. 255]))
+      saidIn loaded
+        `shouldBe` [("s.txt", Span line 6 11, EmptyModel file) | (line, file) <- zip [2, 5 ..] files] <> [("g.msr", Span 2 6 11, EmptyModel "a.obj")]
+      length (libraryInstances (loadedLibrary loaded)) `shouldBe` 8
     it "has its faults told under its own name, once" $ do
-      loaded <- loadingFiles [("s.txt", model "a.msr" [] <> model "b.msr" [] <> ["oops 1"]), ("a.msr", model "b.msr" [] <> ["camera", "end"]), ("b.msr", ["sphere", "ray 1", "end"])]
+      loaded <- loadingFiles [("s.txt", model "a.msr" [] <> model "b.msr" [] <> ["oops 1"]), ("a.msr", model "b.msr" [] <> ["camera", "end"]), ("b.msr", ["sphere", "ray 1", "end"] <> ball "1")]
       [(file, line) | (file, Span line _ _, MisplacedWord {}) <- saidIn loaded] `shouldBe` [("b.msr", 1), ("a.msr", 4)]
       take 1 (saidIn loaded) `shouldSatisfy` all (\(file, place, _) -> (file, place) == ("s.txt", Span 7 1 5))
       length (saidIn loaded) `shouldBe` 3
@@ -146,15 +162,15 @@ spec = do
     it "is looked for beside the model, and told there where it is missing" $ do
       loaded <-
         loading
-          [("s.txt", model "a.msr" []), ("m/a.msr", ["texture_material", "name a", "texture_ka no.png", "texture_kd bark.png", "end"])]
+          [("s.txt", model "a.msr" []), ("m/a.msr", ["texture_material", "name a", "texture_ka no.png", "texture_kd bark.png", "end", "primitive", "material_name a", "sphere", "end", "end"])]
           (savePicture "m/bark.png" green >> savePicture "bark.png" red)
       map layersOf (finishesOf loaded) `shouldBe` [[Nothing, Just (Texture FromFirstRow green), Nothing]]
-      saidIn loaded `shouldBe` [("m/a.msr", Span 3 12 18, UnusableFile "no.png" ForTexture (NoSuchFile ["m", "scenes", "models", "./..."]))]
+      saidIn loaded `shouldBe` [("m/a.msr", Span 3 12 18, UnusableFile "no.png" ForTexture (NoSuchFile ["m", "scenes", "models", "./..."] Nothing))]
     it "has its first row where the first model that names the file says" $
       forM_ [([], FromFirstRow), (["uv_format 1"], FromFirstRow), (["uv_format origin_uv_bottom_left"], FromLastRow)] $ \(format, upward) -> do
         loaded <-
           loading
-            [("s.txt", model "a.msr" format <> model "a.msr" ["uv_format 2"] <> model "a.msr" [] <> model "a.msr" ["uv_format 1"]), ("a.msr", ["texture_material", "name a", "texture_kd bark.png", "end"])]
+            [("s.txt", model "a.msr" format <> model "a.msr" ["uv_format 2"] <> model "a.msr" [] <> model "a.msr" ["uv_format 1"]), ("a.msr", ["texture_material", "name a", "texture_kd bark.png", "end", "primitive", "material_name a", "sphere", "end", "end"])]
             (savePicture "bark.png" green)
         map layersOf (finishesOf loaded) `shouldBe` [[Nothing, Just (Texture upward green), Nothing]]
         map (\(file, Span line _ _, problem) -> (file, line, code problem)) (saidIn loaded)
@@ -185,8 +201,8 @@ spec = do
             ("yes.mtl", ["newmtl red", "map_Kd no.png"])
           ]
       saidIn loaded
-        `shouldBe` [ ("yes.mtl", Span 2 8 14, UnusableFile "no.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."])),
-                     ("a.obj", Span 1 8 14, UnusableFile "no.mtl" ForMaterialLibrary (NoSuchFile [".", "scenes", "models", "./..."])),
+        `shouldBe` [ ("yes.mtl", Span 2 8 14, UnusableFile "no.png" ForTexture (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
+                     ("a.obj", Span 1 8 14, UnusableFile "no.mtl" ForMaterialLibrary (NoSuchFile [".", "scenes", "models", "./..."] Nothing)),
                      ("a.obj", Span 6 8 12, UnknownMaterialOfModel "blue")
                    ]
       map outline (concatMap contentParts (toList (libraryModels (loadedLibrary loaded)))) `shouldBe` ["1 triangles", "1 triangles"]

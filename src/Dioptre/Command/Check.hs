@@ -62,7 +62,7 @@ checked ofScene journal format paths = do
   case format of
     AsText -> forM_ files $ \(source, diagnostics) -> do
       forM_ diagnostics (toConsole stdout . pretty l source)
-      Text.putStrLn (Text.pack (sourceName source) <> ": " <> fromMaybe (inLanguage l "no faults" "aucune faute") (summary l diagnostics))
+      Text.putStrLn (Text.pack (sourceName source) <> inLanguage l ": " "\xA0: " <> fromMaybe (inLanguage l "no faults" "aucune faute") (summary l diagnostics))
     AsJson ->
       Lazy.putStrLn . encode $
         object ["diagnostics" .= [toJson l (sourceName source) d | (source, diagnostics) <- files, d <- diagnostics]]

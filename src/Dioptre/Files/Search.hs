@@ -38,16 +38,18 @@ where
 
 import Control.Exception (IOException, try)
 import Control.Monad (filterM)
+import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import Data.Char (isAscii)
 import Data.Either (fromRight)
-import Data.List (sort)
+import Data.List (find, sort)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeLatin1, decodeUtf8')
 import Dioptre.Files.Identity (identity)
+import Dioptre.Syntax.Spelling (suggest)
 import qualified GHC.Foreign as Foreign
 import GHC.IO.Encoding (getFileSystemEncoding)
 import System.Directory (canonicalizePath, listDirectory)
@@ -58,8 +60,8 @@ import System.Posix.Files (getFileStatus, getSymbolicLinkStatus, isDirectory, is
 data SearchFault
   = -- | Nothing is left of the name once blanks and folders are dropped.
     NoName Text
-  | -- | No file has that name in any of these places, nearest first.
-    NotFound Text (NonEmpty Place)
+  | -- | No file has that name in any of these places, nearest first; the name of one that nearly has it.
+    NotFound Text (NonEmpty Place) (Maybe Text)
   | -- | Several files have it, all found in the same step: at least two paths, sorted.
     SeveralFound Text (NonEmpty FilePath)
   deriving stock (Eq, Show)
@@ -83,7 +85,7 @@ search working folder written = case wantedName written of
   Nothing -> pure (Left (NoName written))
   Just name -> do
     beside <- pleasant working folder
-    let inStep [] = pure (Left (NotFound written (Within beside :| common <> [everywhere])))
+    let inStep [] = Left . NotFound written (Within beside :| common <> [everywhere]) <$> nearName working name [beside, "scenes", "models"]
         inStep (places : later) = do
           hits <- traverse (look working name) places
           found <- distinct working (sort (concat hits))
@@ -136,6 +138,20 @@ among :: FilePath -> Text -> FilePath -> [FilePath] -> IO [FilePath]
 among working name folder entries = do
   named <- filterM (hasName name) entries
   filterM (isFile . (working </>)) (map (joined folder) named)
+
+-- | The name of a file in these folders that has the same ending and nearly the same letters before it: nearly as in
+-- 'suggest'. The first folder that has one decides.
+--
+-- Spec: check.texts.
+nearName :: FilePath -> Text -> [FilePath] -> IO (Maybe Text)
+nearName working name = foldr (\folder later -> nearIn folder >>= maybe later (pure . Just)) (pure Nothing)
+  where
+    (stem, ending) = parts name
+    nearIn folder = do
+      alike <- filterM (fmap ((== ending) . snd . parts) . knownName) . sort =<< entriesOf (working </> folder)
+      names <- traverse textOf =<< filterM (isFile . (working </>) . joined folder) alike
+      pure (suggest (map (fst . parts) names) stem >>= \near -> find ((== near) . fst . parts) names)
+    parts = first (Text.dropEnd 1) . Text.breakOnEnd (Text.pack ".")
 
 -- | How many folders below the working directory the search goes.
 --

@@ -46,9 +46,10 @@ fileFault l (FileFault path reason) = Text.pack path <> inLanguage l ": " "\xA0:
 searchFault :: Language -> SearchFault -> Text
 searchFault l = \case
   NoName name -> inLanguage l "no file can be called '" "aucun fichier ne peut s'appeler '" <> name <> "'"
-  NotFound name places ->
-    inLanguage l "no file is called '" "aucun fichier ne s'appelle '" <> name
-      <> inLanguage l "'; looked for:" "'\xA0; cherché\xA0:"
+  NotFound name places near ->
+    inLanguage l "no file is called '" "aucun fichier ne s'appelle '" <> name <> "'"
+      <> foldMap (\n -> inLanguage l "; did you mean '" "\xA0; vouliez-vous dire '" <> n <> inLanguage l "'?" "'\xA0?") near
+      <> inLanguage l "; looked for:" "\xA0; cherché\xA0:"
       <> foldMap (("\n    " <>) . place) places
   SeveralFound name paths ->
     inLanguage l "several files are called '" "plusieurs fichiers s'appellent '" <> name

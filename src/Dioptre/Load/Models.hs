@@ -127,7 +127,7 @@ loadModels site mentions = do
 
 -- | The model that is named there, if it can be read and there is room for it.
 --
--- Spec: models.uv-format, models.limits.
+-- Spec: models.empty, models.uv-format, models.limits.
 place :: Site -> Mention -> Placing (Maybe Instance)
 place site mention = case modelFile model of
   -- That it names no file has been told.
@@ -141,6 +141,7 @@ place site mention = case modelFile model of
           Just problem -> Nothing <$ complain (mentionFile mention) problem
           Nothing -> do
             modify' (\a -> a {accountSize = accountSize a + shelvedSize shelved, accountHeight = max (accountHeight a) (shelvedHeight shelved)})
+            when (shelvedIsEmpty shelved) $ complain (mentionFile mention) (EmptyModel name)
             when (shelvedHasPictures shelved && upward (modelUvFormat model) /= upward (shelvedUvFormat shelved)) $
               mapM_ (`complain` DifferingUvFormat name (uvFormatName (shelvedUvFormat shelved))) (mentionUvFormat mention)
             pure (Just (Instance (shelvedNumber shelved) (modelTransform model)))
@@ -216,7 +217,7 @@ loadMsr site file uvFormat source = do
   (parts, account) <- runStateT (traverse (traverse (place site)) (contentParts content)) (Account (toInteger own) 0 Seq.empty)
   amountIn file (Primitives own)
   faultsOf source (msrDiagnostics msr <> missing <> toList (accountDiagnostics account))
-  shelve uvFormat account (mapMaybe sequenceA parts) (Vector.map (withPictures (`Map.lookup` pictures)) (contentFinishes content))
+  shelve uvFormat (null (contentParts content)) account (mapMaybe sequenceA parts) (Vector.map (withPictures (`Map.lookup` pictures)) (contentFinishes content))
 
 -- | Strokes become part of the library.
 loadAgp :: Found -> UvFormat -> Source -> Loading Shelved
@@ -225,7 +226,7 @@ loadAgp file uvFormat source = do
       tubes = length parts
   amountIn file (Tubes tubes)
   faultsOf source diagnostics
-  shelve uvFormat (Account (toInteger tubes) 0 Seq.empty) parts (Vector.map (withPictures (const Nothing)) finishes)
+  shelve uvFormat (tubes == 0) (Account (toInteger tubes) 0 Seq.empty) parts (Vector.map (withPictures (const Nothing)) finishes)
 
 -- | A mesh becomes part of the library, with the materials that its libraries have for it.
 --
@@ -234,11 +235,12 @@ loadObj :: Site -> Found -> UvFormat -> Obj -> Loading Shelved
 loadObj site file uvFormat obj = do
   libraries <- traverse (\named -> (,) named <$> loadMaterials site (namedText named)) (objLibraries obj)
   let missing = [Diagnostic (namedSpan named) (UnusableFile (namedText named) ForMaterialLibrary trouble) | (named, Left trouble) <- libraries]
+      triangles = meshSize (objMesh obj)
       (finishes, unknown) = Set.fromList <$> finishesOf [mtl | (_, Right mtl) <- libraries] (map namedText (objMaterials obj))
       unnamed = [Diagnostic (namedSpan named) (UnknownMaterialOfModel (namedText named)) | named <- objMaterials obj, namedText named `Set.member` unknown]
   amountIn file (Polygons (objCounts obj))
   faultsOf (excerpts (foundPath file) (objLines obj)) (objDiagnostics obj <> missing <> unnamed)
-  shelve uvFormat (Account (toInteger (meshSize (objMesh obj))) 0 Seq.empty) [Faces (objMesh obj)] (Vector.fromList finishes)
+  shelve uvFormat (triangles == 0) (Account (toInteger triangles) 0 Seq.empty) [Faces (objMesh obj)] (Vector.fromList finishes)
 
 -- | The materials of the library of that name, with their pictures, by their names.
 loadMaterials :: Site -> Text -> Loading (Either FileTrouble (Mtl Picture))
@@ -257,14 +259,14 @@ loadMaterials site name =
       let look = withPictures ((`Map.lookup` pictures) . namedText)
       pure (Mtl (look <$> named) (look <$> nameless))
 
--- | Puts a model into the library.
+-- | Puts a model into the library, of which is known whether its file is empty.
 --
--- Spec: models.materials.
-shelve :: UvFormat -> Account -> [Part Instance] -> Vector (Finish Picture) -> Loading Shelved
-shelve uvFormat account parts finishes = do
+-- Spec: models.empty, models.materials.
+shelve :: UvFormat -> Bool -> Account -> [Part Instance] -> Vector (Finish Picture) -> Loading Shelved
+shelve uvFormat isEmpty account parts finishes = do
   number <- gets (Seq.length . shelfLibrary)
   modify' (\shelf -> shelf {shelfLibrary = shelfLibrary shelf |> Content parts (Vector.map (fmap (Texture (upward uvFormat))) finishes)})
-  pure (Shelved number (accountSize account) (accountHeight account + 1) uvFormat (any hasPictures finishes))
+  pure (Shelved number isEmpty (accountSize account) (accountHeight account + 1) uvFormat (any hasPictures finishes))
 
 -- | Keeps what is wrong with a file, in its order. The text of one without faults is not kept.
 faultsOf :: Source -> [Diagnostic] -> Loading ()

@@ -88,6 +88,9 @@ type Loading = StateT Shelf IO
 data Shelved = Shelved
   { -- | Its number there.
     shelvedNumber :: !Int,
+    -- | Whether its file has nothing to draw in it: no shape, no triangle, and no other model, not even one that
+    -- is left out.
+    shelvedIsEmpty :: !Bool,
     -- | Its shapes and triangles, those of the models in it counted as often as they are there.
     shelvedSize :: !Integer,
     -- | 1 for a model without others in it, otherwise one more than the highest of those.
@@ -132,8 +135,8 @@ seek :: FilePath -> Text -> IO (Either FileTrouble Found)
 seek folder name = search "." folder name >>= either (pure . Left . trouble) (\path -> Right <$> (Found path <$> canonicalizePath path <*> stampOf path))
   where
     trouble fault = case fault of
-      NoName _ -> NoSuchFile []
-      NotFound _ places -> NoSuchFile (map folderOf (toList places))
+      NoName _ -> NoSuchFile [] Nothing
+      NotFound _ places near -> NoSuchFile (map folderOf (toList places)) near
       SeveralFound _ paths -> SeveralFiles (toList paths)
     folderOf place = case place of
       Within f -> f

@@ -53,6 +53,9 @@ import Dioptre.Math.Vector (Vector, modulus)
 import Dioptre.Source.Diagnostic (Expectation (..), Guess (..), Range (..), Refusal (..))
 import Dioptre.Source.Phrase (number, showReal, vectorText)
 import Dioptre.Source.Span (Span)
+import Dioptre.Source.Words (beginsRemark)
+import Dioptre.Syntax.Keyword (fromSpelling)
+import qualified Dioptre.Syntax.Keyword as Keyword
 import Dioptre.Syntax.Spelling (suggest)
 import Dioptre.Syntax.Tree (Value (..))
 import Dioptre.Syntax.Value (Token (..), integer, largestInteger, real, tokens)
@@ -184,6 +187,8 @@ colourForm :: Form Colour
 colourForm = Form (AColour (map fst names)) reads' (\(Colour r g b a) -> Just ("[ " <> Text.intercalate ", " (map showReal [r, g, b, a]) <> " ]"))
   where
     reads' value = case tokens value of
+      name : _ : _ : others
+        | Just _ <- named (tokenText name), length others <= 1 -> Left (tokenSpan name, NameAmongNumbers (tokenText name) (guess value))
       [name] -> at name byName
       [name, a] -> (\(Colour r g b _) -> Colour r g b) <$> at name byName <*> at a channel
       [r, g, b] -> Colour <$> at r channel <*> at g channel <*> at b channel <*> pure 1
@@ -199,13 +204,18 @@ wrongCount :: Value -> Int -> [Token] -> (Span, Refusal)
 wrongCount value wanted found = case drop wanted found of
   [] | null found -> (valueSpan value, NothingThere)
   [] -> (valueSpan value, WrongCount wanted (length found) NoGuess)
-  extra : _ -> (tokenSpan extra, WrongCount wanted (length found) (guess extra))
+  extra : _ -> (tokenSpan extra, WrongCount wanted (length found) (guess value))
+
+-- | Why a value may have more tokens than it can.
+guess :: Value -> Guess
+guess value = case words' of
+  _ | any beginsRemark words' -> CommentBehind
+  _ | end : _ <- filter ((== Just Keyword.End) . fromSpelling) words' -> EndBehind end
+  _ | any (Text.all (`elem` ("=:;" :: String))) words' -> SignsAround
+  _ | commaInNumber (valueText value) -> CommaInNumber
+  _ -> NoGuess
   where
-    guess extra
-      | Text.take 1 (tokenText extra) `elem` ["#", "/", "*", "!", "@"] = CommentBehind
-      | any (Text.all (`elem` ("=:;" :: String)) . tokenText) found = SignsAround
-      | commaInNumber (valueText value) = CommaInNumber
-      | otherwise = NoGuess
+    words' = map tokenText (tokens value)
 
 -- | Whether a comma stands between two digits, as people write decimals who do not write points.
 commaInNumber :: Text -> Bool

@@ -120,8 +120,8 @@ ofFault :: Diagnostic -> Maybe Diagnostic
 ofFault (Diagnostic place problem) = note place <$> departure
   where
     departure = case problem of
-      UnknownWord _ _ _ (TheObject _) -> Just ReadsAround
-      MisplacedWord _ _ _ (TheObject _) -> Just ReadsAround
+      UnknownWord _ _ _ passed | passed /= TheLine -> Just ReadsAround
+      MisplacedWord _ _ _ passed | passed /= TheLine -> Just ReadsAround
       -- What is a slip for it is an unknown word there, which does no more harm than here.
       StrayEnd word | fromSpelling word == Just Keyword.End -> Just EndsScene
       MisspeltEnd _ -> Just ReadsOn

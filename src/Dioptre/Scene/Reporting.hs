@@ -61,7 +61,10 @@ sparingly n (Diagnostic place problem) = case problem of
 -- Spec: code.unknown-word, code.misplaced-word, check.passed-over.
 passOver :: Maybe Text -> [Keyword] -> Block -> Check ()
 passOver object words' block =
-  report (headSpan (blockHead block)) (misfit object words' (blockHead block) "" (TheObject (lastLine block)))
+  report place (misfit object words' (blockHead block) "" passed)
+  where
+    place = headSpan (blockHead block)
+    passed = if lastLine block == spanLine place then TheOpening else TheObject (lastLine block)
 
 -- | The last line that belongs to a block.
 --

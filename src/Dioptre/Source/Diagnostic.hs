@@ -98,6 +98,8 @@ data Problem
     NoModelFile
   | -- | A model whose file, by its name, is in none of the formats that are read.
     UnknownModelFormat Text
+  | -- | A model whose file has nothing to draw in it, neither shape nor triangle nor another model: its name.
+    EmptyModel Text
   | -- | A model that would hold itself: the files that name one another, from the one that is named again up to here.
     ModelCycle [FilePath]
   | -- | A model that would make models in models deeper than that.
@@ -142,8 +144,10 @@ data Problem
 data PassedOver
   = -- | The one line.
     TheLine
-  | -- | An object, whole, down to that line.
+  | -- | An object, whole, down to that line, which is a later one.
     TheObject Int
+  | -- | An object of which there is nothing but the line that opens it.
+    TheOpening
   deriving stock (Eq, Show)
 
 -- | What a property wants.
@@ -191,6 +195,9 @@ data Refusal
   | OutOfRange Text
   | -- | So many values were expected, so many found; and what may be the reason.
     WrongCount Int Int Guess
+  | -- | The name of a colour with more behind it than an alpha, so that it stands where a number would; and what may be
+    -- the reason.
+    NameAmongNumbers Text Guess
   | -- | A word that is not one of those; the one that may have been meant.
     NoSuchChoice Text (Maybe Text)
   | -- | A name that would lead out of the working directory, or that holds a control character.
@@ -210,8 +217,10 @@ data Refusal
 -- | Why there may be too many values.
 data Guess
   = NoGuess
-  | -- | The first too many begins a comment.
+  | -- | One of the values begins a comment.
     CommentBehind
+  | -- | This word, an @end@, stands behind the values.
+    EndBehind Text
   | -- | A comma stands between two digits.
     CommaInNumber
   | -- | One of the values is a sign such as @=@.
@@ -312,8 +321,8 @@ data FileUse
 
 -- | What is the matter with a file.
 data FileTrouble
-  = -- | There is none of that name in these folders.
-    NoSuchFile [FilePath]
+  = -- | There is none of that name in these folders; one of them that may have been meant.
+    NoSuchFile [FilePath] (Maybe Text)
   | -- | There are several.
     SeveralFiles [FilePath]
   | -- | There is one, but it cannot be read, in the words of who tried.
@@ -367,6 +376,7 @@ severity = \case
   ReplacedObject {} -> Note
   NoModelFile -> Warning
   UnknownModelFormat {} -> Error
+  EmptyModel {} -> Warning
   ModelCycle {} -> Error
   ModelTooDeep {} -> Error
   TooManyParts {} -> Error
@@ -415,6 +425,7 @@ code = \case
   ReplacedObject {} -> "replaced-object"
   NoModelFile -> "no-model-file"
   UnknownModelFormat {} -> "unknown-model-format"
+  EmptyModel {} -> "empty-model"
   ModelCycle {} -> "model-cycle"
   ModelTooDeep {} -> "model-too-deep"
   TooManyParts {} -> "too-many-parts"
@@ -438,7 +449,7 @@ code = \case
   UnknownMaterialOfModel {} -> "unknown-material-of-model"
   MoreFaults {} -> "more-faults"
   UnusableFile _ _ trouble -> case trouble of
-    NoSuchFile _ -> "missing-file"
+    NoSuchFile {} -> "missing-file"
     SeveralFiles _ -> "several-files"
     Unreadable _ -> "unreadable-file"
     Undecodable _ -> "unreadable-file"
@@ -453,6 +464,7 @@ refusalCode :: Refusal -> Text
 refusalCode = \case
   NothingThere -> "missing-value"
   NotANumber {} -> "not-a-number"
+  NameAmongNumbers {} -> "not-a-number"
   NotAnInteger {} -> "not-an-integer"
   TooLarge {} -> "number-too-large"
   OutOfRange {} -> "out-of-range"

@@ -24,6 +24,7 @@ import Dioptre.Source.DepartureMessage (here, originally)
 import Dioptre.Source.Diagnostic
 import Dioptre.Source.Language (Language, inLanguage)
 import Dioptre.Source.Phrase (brief, counted, number, quoted, showReal)
+import Dioptre.Source.Words (beginsRemark, goesOnWithRemark)
 import Numeric (showHex)
 
 -- | The name of a severity.
@@ -79,8 +80,8 @@ message l = \case
     say ["this primitive names no material"] ["cette primitive ne nomme pas de matériel"]
   MissingMaterial name guess ->
     say
-      ["no material is called ", withBlanks l name, maybe "" (\g -> "; did you mean " <> withBlanks l g <> "?") guess]
-      ["aucun matériel ne s'appelle ", withBlanks l name, maybe "" (\g -> "\xA0; vouliez-vous dire " <> withBlanks l g <> "\xA0?") guess]
+      ["no material is called ", withBlanks l name, maybe "" (\g -> "; did you mean " <> withBlanks l g <> "?" <> wholeLine name g) guess]
+      ["aucun matériel ne s'appelle ", withBlanks l name, maybe "" (\g -> "\xA0; vouliez-vous dire " <> withBlanks l g <> "\xA0?" <> wholeLine name g) guess]
   RepeatedMaterial name n ->
     say
       ["a material is called ", quoted name, " already, on line ", number n]
@@ -95,6 +96,10 @@ message l = \case
     say
       ["no format of models is known by the ending of ", quoted name]
       ["aucun format de modèle n'est connu sous l'extension de ", quoted name]
+  EmptyModel name ->
+    say
+      ["there is no shape in ", quoted name]
+      ["il n'y a aucune géométrie dans ", quoted name]
   ModelCycle files ->
     say
       ["this model would hold itself: ", chain files]
@@ -150,10 +155,10 @@ message l = \case
       ("more fault is in this file: this one", "more faults are in this file, from here on")
       ("autre faute dans ce fichier\xA0: celle-ci", "autres fautes dans ce fichier, à partir d'ici")
   UnusableFile name _ trouble -> case trouble of
-    NoSuchFile folders ->
+    NoSuchFile folders guess ->
       say
-        ["no file is called ", quoted name, " in ", Text.intercalate ", " (map folderName folders)]
-        ["aucun fichier ne s'appelle ", quoted name, " dans ", Text.intercalate ", " (map folderName folders)]
+        ["no file is called ", quoted name, " in ", Text.intercalate ", " (map folderName folders), meant guess]
+        ["aucun fichier ne s'appelle ", quoted name, foldMap ((", ni dans " <>) . folderName) folders, meant guess]
     SeveralFiles paths ->
       say
         ["several files are called ", quoted name, ": ", folderList paths]
@@ -170,9 +175,12 @@ message l = \case
     say en fr = Text.concat (inLanguage l en fr)
     meant = maybe "" (\w -> inLanguage l "; did you mean " "\xA0; vouliez-vous dire " <> quoted w <> inLanguage l "?" "\xA0?")
     strange = maybe "" (inLanguage l ", which holds " ", qui contient " <>) . oddity l
+    wholeLine a b
+      | a `goesOnWithRemark` b || b `goesOnWithRemark` a = inLanguage l " A name is all that stands up to the end of its line" " Un nom est tout ce qui vient jusqu'à la fin de sa ligne"
+      | otherwise = ""
     folderName folder
       | folder == "." = inLanguage l "the working directory" "le répertoire courant"
-      | folder == "./..." = inLanguage l "any folder below" "tout dossier plus bas"
+      | folder == "./..." = inLanguage l "any folder below" "un dossier plus bas"
       | otherwise = Text.pack folder
     folderList = Text.intercalate ", " . map Text.pack
     chain = Text.intercalate " > " . map Text.pack
@@ -224,6 +232,10 @@ refused l w = \case
     say
       [counted l found ("value", "values") ("valeur", "valeurs"), ", where ", quoted w, " takes ", number wanted, guessed guess]
       [counted l found ("value", "values") ("valeur", "valeurs"), ", où ", quoted w, " en prend ", number wanted, guessed guess]
+  NameAmongNumbers t guess ->
+    say
+      [quoted t, " names a colour, behind which stands nothing but an alpha", guessed guess]
+      [quoted t, " nomme une couleur, derrière laquelle ne vient rien qu'un alpha", guessed guess]
   NoSuchChoice t guess ->
     say
       [quoted t, " means nothing to ", quoted w, maybe "" (\g -> "; did you mean " <> quoted g <> "?") guess, signs t]
@@ -244,13 +256,22 @@ refused l w = \case
     say en fr = Text.concat (inLanguage l en fr)
     guessed = \case
       NoGuess -> ""
-      CommentBehind -> inLanguage l "; a comment needs a line of its own" "\xA0; un commentaire doit avoir sa propre ligne"
+      CommentBehind -> ownLine (inLanguage l "a comment" "un commentaire")
+      EndBehind t -> ownLine (quoted t)
       CommaInNumber -> inLanguage l "; a comma separates values, decimals follow a point" "\xA0; une virgule sépare des valeurs, les décimales suivent un point"
       SignsAround -> withoutSigns
     -- What may be wrong with what is no number, or no such word.
     signs t = case oddity l t of
       Just o -> inLanguage l "; it holds " "\xA0; il contient " <> o
-      Nothing -> if Text.any (`elem` ("=:;" :: String)) t then withoutSigns else ""
+      Nothing
+        | beginsRemark t -> guessed CommentBehind
+        | Text.toLower t `elem` ["end", "fin"] -> guessed (EndBehind t)
+        | Text.any (`elem` ("=:;" :: String)) t -> withoutSigns
+        | beginsNumber t, Text.any (`elem` ("\xB0\xBA" :: String)) t -> inLanguage l "; angles are in degrees, without '\xB0'" "\xA0; les angles sont en degrés, sans '\xB0'"
+        | beginsNumber t, Text.any (== '%') t -> inLanguage l "; numbers have no '%': 20% is 0.2" "\xA0; les nombres n'ont pas de '%'\xA0: 20% s'écrit 0.2"
+        | otherwise -> ""
+    beginsNumber = Text.any (\c -> isDigit c || c `elem` ("+-." :: String)) . Text.take 1
+    ownLine what = inLanguage l "; " "\xA0; " <> what <> inLanguage l " needs a line of its own" " doit avoir sa propre ligne"
     withoutSigns = inLanguage l "; values follow their word, without '=', ':' or ';'" "\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"
 
 flawed :: Language -> Text -> Flaw -> Text
@@ -340,6 +361,7 @@ expected l = \case
   ReplacedObject {} -> Nothing
   NoModelFile -> Just (inLanguage l "'file', and the name of an obj, msr or agp file" "'file', et le nom d'un fichier obj, msr ou agp")
   UnknownModelFormat _ -> Just (inLanguage l "a name that ends in .obj, .msr or .agp" "un nom qui finit par .obj, .msr ou .agp")
+  EmptyModel _ -> Just (inLanguage l "a file with shapes, triangles or models, in the format that its ending says" "un fichier avec des géométries, des triangles ou des modèles, dans le format que dit son extension")
   ModelCycle _ -> Just (inLanguage l "a model that does not lead back to its own file" "un modèle qui ne ramène pas à son propre fichier")
   ModelTooDeep {} -> Nothing
   TooManyParts {} -> Nothing
@@ -365,7 +387,7 @@ expected l = \case
   UnusableFile _ use _ -> Just $ case use of
     ForModel -> inLanguage l "one obj, msr or agp file of that name" "un seul fichier obj, msr ou agp de ce nom"
     ForMaterialLibrary -> inLanguage l "one mtl file of that name" "un seul fichier mtl de ce nom"
-    _ -> inLanguage l "one picture (png, jpg, gif or tga) of that name" "une seule image (png, jpg, gif ou tga) de ce nom"
+    _ -> inLanguage l "one picture (png, jpg, gif, bmp or tga) of that name" "une seule image (png, jpg, gif, bmp ou tga) de ce nom"
   SamplingWithoutRandom _ -> Just (inLanguage l "'pixel_coordinate random', or 'sampling 1'" "'pixel_coordinate random', ou 'sampling 1'")
   Departs _ -> Nothing
   where
@@ -421,6 +443,7 @@ used l = \case
   ReplacedObject {} -> Nothing
   NoModelFile -> say "nothing: there is nothing to draw" "rien\xA0: il n'y a rien à dessiner"
   UnknownModelFormat _ -> modelLeftOut
+  EmptyModel _ -> say "nothing: there is nothing to draw" "rien\xA0: il n'y a rien à dessiner"
   ModelCycle _ -> modelLeftOut
   ModelTooDeep {} -> modelLeftOut
   TooManyParts {} -> modelLeftOut
@@ -453,8 +476,10 @@ used l = \case
       Normal -> say "the normals of the flat triangles" "les normales des triangles plats"
     faceLeftOut = say "nothing: the face is left out" "rien\xA0: la face est omise"
     modelLeftOut = say "nothing: the model is left out" "rien\xA0: le modèle est omis"
+    lineAlone = inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
     passedOver = \case
-      TheLine -> inLanguage l "nothing: the line is passed over" "rien\xA0: la ligne est ignorée"
+      TheLine -> lineAlone
+      TheOpening -> lineAlone
       TheObject n -> inLanguage l ("nothing: all is passed over down to line " <> number n) ("rien\xA0: tout est ignoré jusqu'à la ligne " <> number n)
 
 -- | What a property wants, in words.
@@ -483,4 +508,4 @@ expectation l = \case
       Between a b -> inLanguage l (" from " <> a <> " to " <> b) (" de " <> a <> " à " <> b)
 
 oneOf :: Language -> [Text] -> Text
-oneOf l words' = inLanguage l "one of " "un de " <> Text.intercalate ", " words'
+oneOf l words' = inLanguage l "one of " "l'un de " <> Text.intercalate ", " words'

@@ -1,4 +1,5 @@
 {-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
 
 -- |
 -- Module      : Dioptre.Source.Words
@@ -21,6 +22,10 @@ module Dioptre.Source.Words
     -- * Blanks
     isBlank,
     isBlankInObj,
+
+    -- * Comments
+    beginsRemark,
+    goesOnWithRemark,
   )
 where
 
@@ -60,3 +65,19 @@ isBlank c = c == ' ' || c == '\t' || c == '\f'
 -- | Whether a character separates words in an OBJ or MTL file. ("Dioptre.Model.Words" has the same for bytes.)
 isBlankInObj :: Char -> Bool
 isBlankInObj c = c == ' ' || (c >= '\t' && c <= '\r')
+
+-- | Whether a word looks as if a comment were to begin with it, where none can: behind a value.
+--
+-- >>> map beginsRemark ["#", "//", "/*", "--", "-1", "red"]
+-- [True,True,True,True,False,False]
+beginsRemark :: Text -> Bool
+beginsRemark word = Text.take 1 word `elem` ["#", "/", "*", "!", "@"] || "--" `Text.isPrefixOf` word
+
+-- | Whether a text is another one with a blank and what looks like a comment behind it.
+--
+-- >>> map (`goesOnWithRemark` "paint") ["paint # of oak", "paint", "paint #", "paint#", "painted # oak"]
+-- [True,False,True,False,False]
+goesOnWithRemark :: Text -> Text -> Bool
+goesOnWithRemark whole begun = case Text.stripPrefix begun whole of
+  Just behind -> Text.any isBlank (Text.take 1 behind) && beginsRemark (Text.dropWhile isBlank behind)
+  Nothing -> False

@@ -45,7 +45,8 @@ spec = describe "check --original" $ do
     Text.writeFile "s.txt" ("end\n" <> torus <> "camara\n")
     (code, out, _) <- heard (checking AsText French checkWithOriginal)
     code `shouldBe` ExitFailure 1
-    map lastWord (filter ("s.txt:" `Text.isPrefixOf`) (Text.lines out))
+    last ("" : Text.lines out) `shouldSatisfy` Text.isPrefixOf "s.txt\xA0: "
+    map lastWord (filter ("s.txt" `Text.isPrefixOf`) (Text.lines out))
       `shouldBe` ["[stray-end]", "[original-ends-scene]", "[original-never-hits]", "[unknown-word]", "[original-reads-around]", "remarques"]
   it "is told to programs, too" . inFolder $ do
     Text.writeFile "s.txt" torus

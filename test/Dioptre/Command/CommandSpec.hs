@@ -179,7 +179,7 @@ spec = do
       out `shouldContainText` "s.txt:3:12: error: no file is called 'no.png'"
     it "tells what is wrong with models under the names of their files" . inFolder $ do
       Text.writeFile "s.txt" "model\nfile a.obj\nend\n"
-      Text.writeFile "a.obj" "v 0 0 0\nv 1 O 0\n"
+      Text.writeFile "a.obj" "v 0 0 0\nv 1 O 0\nv 1 0 0\nv 0 1 0\nf 1 3 4\n"
       (code, out, _) <- heard (journal' (\j -> check j AsText ["s.txt"]))
       code `shouldBe` ExitFailure 1
       out `shouldContainText` "s.txt: no faults\na.obj:2:5: error: 'O' is not a number"

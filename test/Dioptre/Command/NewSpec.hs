@@ -39,6 +39,8 @@ spec = do
         [w | w <- map spelling (sceneWords <> [Sphere .. Geometry]), w `notElem` words'] `shouldBe` []
       it "has examples behind # that are free of faults, but for a file that is not there" $
         readingDiagnostics (readText (Text.unlines (map shown (Text.lines (starter l))))) `shouldBe` []
+      it "shows commands that are no worse laid out with another name" $
+        [line | line <- Text.lines (starter l), "my_scene" `Text.isInfixOf` line, "  " `Text.isInfixOf` Text.strip (Text.dropWhile (== '#') line), "#" `Text.isPrefixOf` line] `shouldBe` []
       it "fits into 92 columns" $ [line | line <- Text.lines (starter l), Text.length line > 92] `shouldBe` []
     it "is the same scene in both languages" $
       readingScene (readText (starter English)) `shouldBe` readingScene (readText (starter French))
@@ -57,7 +59,7 @@ spec = do
   describe "under a name" $ do
     it "has that name in its commands and its pictures" $ do
       let text = starterNamed "a/pendulum.txt" (starter English)
-      text `shouldSatisfy` Text.isInfixOf "dioptre check a/pendulum.txt "
+      text `shouldSatisfy` Text.isInfixOf "dioptre check a/pendulum.txt\n"
       text `shouldSatisfy` Text.isInfixOf "image_file_name pendulum\n"
       text `shouldNotSatisfy` Text.isInfixOf "my_scene"
     it "stays free of faults, and whole" $

@@ -143,7 +143,16 @@ spec = do
             ( NotFound
                 (Text.pack "b/Boule.obj")
                 (NonEmpty.fromList [Within "a", Within "scenes", Within "models", Below "."])
+                Nothing
             )
+
+      it "is told with a name that is nearly the same, nearest first, of a file of that ending beside or in scenes or models" $ \working -> do
+        let near folder = fmap (either (\fault -> [n | NotFound _ _ n <- [fault]]) (const [])) . find working folder
+        make working ["a/x", "models/Teapot.obj", "models/teapo.png", "models/tea_pot.obj/x", "below/teapo.msr", "scenes/cup.obj"]
+        mapM (near "a") ["teapo.obj", "TAEPOT.OBJ", "teapa.msr", "kettle.obj", "x.obj", "obj"]
+          `shouldReturn` map pure [Just (Text.pack "Teapot.obj"), Just (Text.pack "Teapot.obj"), Nothing, Nothing, Nothing, Nothing]
+        make working ["a/teapos.obj"]
+        near "a" "teapo.obj" `shouldReturn` [Just (Text.pack "teapos.obj")]
 
       it "is a fault where no name is left" $ \working -> do
         make working ["a/x"]
@@ -233,7 +242,7 @@ find :: FilePath -> FilePath -> String -> IO (Either SearchFault FilePath)
 find working folder = search working folder . Text.pack
 
 nowhere :: String -> Either SearchFault FilePath
-nowhere written = Left (NotFound (Text.pack written) (NonEmpty.fromList places))
+nowhere written = Left (NotFound (Text.pack written) (NonEmpty.fromList places) Nothing)
   where
     places = [Within ".", Within "scenes", Within "models", Below "."]
 

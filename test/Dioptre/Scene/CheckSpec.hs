@@ -124,6 +124,8 @@ blocks = describe "a word that cannot stand where it stands" $ do
     map (\d -> (diagnosticSpan d, passed d)) (errorsOf (readLines ["thing", "position 1 2 3", "other", "x"])) `shouldBe` [(Span 1 1 6, Just (TheObject 4))]
   it "is passed over to an end with a slip in it" $
     map (\d -> (diagnosticSpan d, passed d)) (errorsOf (readLines ["thing", "position 1", "edn", "camera", "end"])) `shouldBe` [(Span 1 1 6, Just (TheObject 3))]
+  it "is passed over alone where nothing is in it" $
+    map passed (errorsOf (readLines ["camera", "end", "thing"])) `shouldBe` [Just TheOpening]
   it "is passed over with what is wrong in it" $
     said ["thing", "angle x", "end", "sphre", "ray", "end", "end", "sphere", "end"]
       `shouldBe` [("unknown-word", 1, 1, 6), ("unknown-word", 4, 1, 6), ("stray-end", 7, 1, 4), ("misplaced-word", 8, 1, 7)]
@@ -296,6 +298,8 @@ wording = describe "what is told" $ do
       `shouldBe` map (pure . Just) ["lumiere_directionnelle", "lumiere_ponctuelle", "texture_materiel", "camera", "materiel"]
     map (\line -> guess ["camera", line, "end"]) ["look at 0 0 1", "angle=60", "angle:60", "position[0,0,1] x", "angle\xA0\&60"]
       `shouldBe` map (pure . Just) ["look_at", "angle 60", "angle 60", "position [0,0,1]", "angle 60"]
+    map (\line -> guess (primitive ["sphere", line, "end"])) ["radius 2", "centre 0 0 1"] `shouldBe` map (pure . Just) ["ray", "position"]
+    ["material", "name a", "color \"red\"", "end"] `isTold` [("'\"red\"' means nothing to 'color'; did you mean 'red'?", "'\"red\"' ne dit rien à 'color'\xA0; vouliez-vous dire 'red'\xA0?")]
     map (\line -> guess (primitive ["torus", line, "end"])) ["rayon_majeur 2", "rayon_mineur 2"] `shouldBe` map (pure . Just) ["major_radius", "minor_radius"]
   it "is of a name that is missing that alone" $
     ["primitive", "  material_name", "  sphere", "  end", "end"] `isTold` [("'material_name' has no value", "'material_name' n'a pas de valeur")]
@@ -310,6 +314,12 @@ wording = describe "what is told" $ do
       `isTold` [("no material is called 'café'; did you mean 'café  ' with 2 blanks at its end?", "aucun matériel ne s'appelle 'café'\xA0; vouliez-vous dire 'café  ' avec 2 blancs à la fin\xA0?")]
     named "CAFÉ "
       `isTold` [("no material is called 'CAFÉ ' with 1 blank at its end; did you mean 'café  ' with 2 blanks at its end?", "aucun matériel ne s'appelle 'CAFÉ ' avec 1 blanc à la fin\xA0; vouliez-vous dire 'café  ' avec 2 blancs à la fin\xA0?")]
+  it "says of a name with a remark behind it that it goes to the end of its line" $ do
+    let named a b = ["material", "name " <> a, "end", "primitive", "material_name " <> b, "sphere", "end", "end"]
+    named "paint # la peinture" "paint"
+      `isTold` [("no material is called 'paint'; did you mean 'paint # la peinture'? A name is all that stands up to the end of its line", "aucun matériel ne s'appelle 'paint'\xA0; vouliez-vous dire 'paint # la peinture'\xA0? Un nom est tout ce qui vient jusqu'à la fin de sa ligne")]
+    named "paint" "paint  // oak"
+      `isTold` [("no material is called 'paint  // oak'; did you mean 'paint'? A name is all that stands up to the end of its line", "aucun matériel ne s'appelle 'paint  // oak'\xA0; vouliez-vous dire 'paint'\xA0? Un nom est tout ce qui vient jusqu'à la fin de sa ligne")]
   it "names characters that are not seen, or are not what they look like" $ do
     primitive ["sphere", "ray\xA0\&2 x", "end"]
       `isTold` [("unknown word 'ray\xA0\&2', which holds a no-break space (U+00A0); did you mean 'ray 2'?", "mot inconnu\xA0: 'ray\xA0\&2', qui contient une espace insécable (U+00A0)\xA0; vouliez-vous dire 'ray 2'\xA0?")]
@@ -323,10 +333,22 @@ wording = describe "what is told" $ do
                  ("5 values, where 'position' takes 3; values follow their word, without '=', ':' or ';'", "5 valeurs, où 'position' en prend 3\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'"),
                  ("'=' is not a number; values follow their word, without '=', ':' or ';'", "'=' n'est pas un nombre\xA0; les valeurs suivent leur mot, sans '=', ':' ni ';'")
                ]
+    ["camera", "angle 60\xB0", "end", "material", "ka 20%", "kd %", "end"]
+      `isTold` [ ("'60\xB0' is not a number; angles are in degrees, without '\xB0'", "'60\xB0' n'est pas un nombre\xA0; les angles sont en degrés, sans '\xB0'"),
+                 ("'20%' is not a number; numbers have no '%': 20% is 0.2", "'20%' n'est pas un nombre\xA0; les nombres n'ont pas de '%'\xA0: 20% s'écrit 0.2"),
+                 ("'%' is not a number", "'%' n'est pas un nombre")
+               ]
     ["material", "color 1 1", "color bleue", "end"]
       `isTold` [ ("'1' is the name of no colour; a colour in numbers takes three of them, or four", "'1' n'est le nom d'aucune couleur\xA0; en nombres, une couleur en prend trois ou quatre"),
                  ("'bleue' means nothing to 'color'; did you mean 'bleu'?", "'bleue' ne dit rien à 'color'\xA0; vouliez-vous dire 'bleu'\xA0?")
                ]
+  it "is of a colour, too, that comments and ends have lines of their own" $ do
+    let told line = isTold ["material", "name a", line, "end"]
+    told "color red # rouge" [("'red' names a colour, behind which stands nothing but an alpha; a comment needs a line of its own", "'red' nomme une couleur, derrière laquelle ne vient rien qu'un alpha\xA0; un commentaire doit avoir sa propre ligne")]
+    told "color 1 0 0 # rouge" [("5 values, where 'color' takes 4; a comment needs a line of its own", "5 valeurs, où 'color' en prend 4\xA0; un commentaire doit avoir sa propre ligne")]
+    for_ ["color red #rouge", "color 1 0 0 #rouge"] (`told` [("'#rouge' is not a number; a comment needs a line of its own", "'#rouge' n'est pas un nombre\xA0; un commentaire doit avoir sa propre ligne")])
+    told "color red end" [("'end' is not a number; 'end' needs a line of its own", "'end' n'est pas un nombre\xA0; 'end' doit avoir sa propre ligne")]
+    ["camera", "up 0 1 0 fin", "end"] `isTold` [("4 values, where 'up' takes 3; 'fin' needs a line of its own", "4 valeurs, où 'up' en prend 3\xA0; 'fin' doit avoir sa propre ligne")]
   it "is of an object whether it has a property or a number behind its word, and of nothing else there" $ do
     primitive ["material_name none", "sphere ray 3", "end"] `isTold` [("'ray' is not read behind 'sphere': a property has a line of its own", "'ray' n'est pas lu derrière 'sphere'\xA0: une propriété a sa propre ligne")]
     (filter ((== "behind-opening") . code . diagnosticProblem) . readingDiagnostics . readLines) (primitive ["sphere (3)", "end"]) `shouldBe` [at 2 9 10 (BehindOpening "sphere" "3")]
@@ -375,7 +397,7 @@ values = describe "a value" $ do
     ["material", "color rde", "color 1 -0.5 1", "color blue 2 3", "color red x", "end"]
       `saysOf` [ at 2 7 10 (RefusedValue "color" (NoSuchChoice "rde" (Just "red")) (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
                  at 3 9 13 (RefusedValue "color" (OutOfRange "-0.5") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
-                 at 4 7 11 (RefusedValue "color" (NotANumber "blue") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
+                 at 4 7 11 (RefusedValue "color" (NameAmongNumbers "blue" NoGuess) (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]")),
                  at 5 11 12 (RefusedValue "color" (NotANumber "x") (AColour colours) (Kept "[ 1.0, 1.0, 1.0, 1.0 ]"))
                ]
   it "that is negative leaves the object as it was" $

@@ -67,6 +67,13 @@ spec = do
         map (reads' colourForm) [en, fr, Text.toUpper en, "[" <> fr <> "]", en <> " 1.0"] `shouldBe` replicate 5 (Right c)
     it "is a name and alpha, three channels, or four" $
       map (reads' colourForm) ["red 0.5", "1 2 3", "1 2 3 4", "<0, 0, 0, 0>"] `shouldBe` map Right [Colour 1 0 0 0.5, Colour 1 2 3 1, Colour 1 2 3 4, Colour 0 0 0 0]
+    it "is no name with more than an alpha behind it, of which the reason may be seen" $
+      map (reads' colourForm) ["red # rouge", "RED // rouge", "rouge 1 end", "red 0 0", "red = 1", "red # x y z", "1 0 0 # x", "1 0 0 1 fin"]
+        `shouldBe` map
+          Left
+          ( [NameAmongNumbers "red" CommentBehind, NameAmongNumbers "RED" CommentBehind, NameAmongNumbers "rouge" (EndBehind "end"), NameAmongNumbers "red" NoGuess, NameAmongNumbers "red" SignsAround]
+              <> [WrongCount 4 5 CommentBehind, WrongCount 4 5 CommentBehind, WrongCount 4 5 (EndBehind "fin")]
+          )
     it "is nothing else" $
       map (reads' colourForm) ["", "1 2 3 4 5", "redd", "-1 0 0", "0 0 0 -1", "red -1", "1 2"]
         `shouldBe` map Left [NothingThere, WrongCount 4 5 NoGuess, NoSuchChoice "redd" (Just "red"), OutOfRange "-1", OutOfRange "-1", OutOfRange "-1", NoSuchChoice "1" Nothing]

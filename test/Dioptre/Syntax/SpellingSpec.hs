@@ -5,8 +5,11 @@ module Dioptre.Syntax.SpellingSpec
   )
 where
 
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, isNothing)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Dioptre.Syntax.Keyword (fromSpelling)
 import Dioptre.Syntax.Spelling
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -34,8 +37,20 @@ spec = do
       suggest ["abcdef"] "abxxef" `shouldBe` Just "abcdef"
       suggest ["sphere", "plane"] "cube" `shouldBe` Nothing
       suggest [] "cube" `shouldBe` Nothing
+    it "is what stands in quotation marks" $ map (suggest ["red", "rouge"]) ["\"red\"", "'RED'", "\171rouge\187", "\"\"", "\"rod\""] `shouldBe` [Just "red", Just "red", Just "rouge", Nothing, Nothing]
     prop "is one of the candidates" $ \(Word' w) ws -> maybe True (`elem` [c | Word' c <- ws]) (suggest [c | Word' c <- ws] w)
     prop "finds a word that was written with one slip" $ \(Word' w) -> Text.length w > 2 ==> forAll (slipped w) $ \v -> Text.length v > 2 ==> suggest [w] v === Just w
+
+  describe "a word that the language has not" $ do
+    it "is taken for the one that means the same, where that has its place" $ do
+      map (\w -> suggestWord ["position", "ray", "rayon"] w "") ["radius", "Centre", "box", "light", "direction"] `shouldBe` [Just "ray", Just "position", Nothing, Nothing, Nothing]
+      map (\w -> suggestWord ["sphere", "cube", "calotte_spherique"] w "") ["box", "bo\238te", "calotte", "boule"] `shouldBe` [Just "cube", Just "cube", Just "calotte_spherique", Just "sphere"]
+      map (\w -> suggestWord ["kr", "kt", "refractive_index"] w "0.5") ["r\233flexion", "transparence", "indice"] `shouldBe` map Just ["kr", "kt", "refractive_index"]
+      suggestWord ["reflexion_algorithm"] "reflection" "" `shouldBe` Just "reflexion_algorithm"
+      suggestWord ["ray"] "radius=2" "" `shouldBe` Just "ray 2"
+    it "means words that there are, and is none itself" $ do
+      filter (isNothing . fromSpelling) (concat (Map.elems synonyms)) `shouldBe` []
+      filter (isJust . fromSpelling) (Map.keys synonyms) `shouldBe` []
 
 newtype Word' = Word' Text
   deriving (Eq, Show)
