@@ -25,7 +25,7 @@ import Inherited (isIgnored)
 import System.Environment (getArgs, getEnvironment)
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hPutStrLn, hSetEncoding, stderr, stdout, utf8)
-import System.Posix.Signals (sigHUP, sigTERM)
+import System.Posix.Signals (sigHUP, sigINT, sigTERM)
 
 main :: IO ()
 main = do
@@ -34,7 +34,8 @@ main = do
   setLocaleEncoding utf8
   mapM_ (`hSetEncoding` utf8) [stdout, stderr]
   handle bug $ do
-    filterM (fmap not . isIgnored) [sigTERM, sigHUP] >>= heedSignals
+    others <- filterM (fmap not . isIgnored) [sigTERM, sigHUP]
+    heedSignals (sigINT : others)
     configuration <- readConfiguration
     environment <- getEnvironment
     let locale = fromLocale (`lookup` environment)

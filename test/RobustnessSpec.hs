@@ -8,14 +8,14 @@ module RobustnessSpec
   )
 where
 
-import Control.Concurrent (myThreadId, threadDelay, throwTo)
+import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (concurrently)
-import Control.Exception (AsyncException (UserInterrupt), SomeException, bracket, bracket_, evaluate, try)
+import Control.Exception (bracket, bracket_, evaluate, try)
 import Control.Monad (forM_, replicateM, void, (>=>))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
-import Data.Either (fromRight, isRight)
+import Data.Either (isRight)
 import Data.List (isPrefixOf, isSuffixOf, sort)
 import qualified Data.Map.Strict as Map
 import Data.Text (Text)
@@ -146,16 +146,16 @@ spec = do
     it "by Ctrl-C ends within two seconds, and leaves nothing" . inFolder $ do
       Text.writeFile "s.txt" (noisy 4000)
       child <- forked $ do
-        -- As the program has it, whose first thread hears the signal.
-        main <- myThreadId
-        void (installHandler sigINT (Catch (throwTo main UserInterrupt)) Nothing)
-        outcome <- try (writeFile "begun" "" >> quietly (render' (ToFile "p.png"))) :: IO (Either SomeException ExitCode)
-        exitImmediately (fromRight (ExitFailure 130) outcome)
+        heedSignals [sigINT]
+        outcome <- try (writeFile "begun" "" >> quietly (render' (ToFile "p.png")))
+        either (\(EndedBy s) -> dieOf s) exitImmediately outcome
       within10 (waitFor "begun")
       threadDelay 300000
+      -- And again, as people press it when they think that nothing happens.
+      signalProcess sigINT child
       signalProcess sigINT child
       status <- timeout 2000000 (getProcessStatus True False child)
-      status `shouldBe` Just (Just (Exited (ExitFailure 130)))
+      status `shouldBe` Just (Just (Terminated sigINT False))
       sort <$> listDirectory "." `shouldReturn` ["begun", "s.txt"]
 
   describe "what is printed" $ do

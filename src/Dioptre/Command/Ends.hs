@@ -7,8 +7,9 @@
 -- Description : How the program ends
 --
 -- A command has done its work when what it printed is on its way, and not before: a result that a full disk swallows is
--- a file that cannot be written. And it is not the only one to say when the program ends: SIGTERM and SIGHUP end it as
--- Ctrl-C does, by an exception, on whose way every temporary is removed.
+-- a file that cannot be written. And it is not the only one to say when the program ends: Ctrl-C, SIGTERM and
+-- SIGHUP end it by an exception, on whose way every temporary is removed. (For Ctrl-C the run-time system would do that
+-- once; a second one, which @timeout@ sends and impatient people do, would end it in the middle.)
 module Dioptre.Command.Ends
   ( -- * All that is printed
     withAllPrinted,
@@ -52,7 +53,7 @@ withAllPrinted l work =
       ResourceVanished -> True
       _ -> False
 
--- | What is thrown where a signal asks the program to end. It comes from outside, as Ctrl-C does.
+-- | What is thrown where a signal asks the program to end. It comes from outside, as what ends a thread does.
 newtype EndedBy = EndedBy Signal
   deriving stock (Eq, Show)
 

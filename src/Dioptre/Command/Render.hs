@@ -22,7 +22,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.IO as Text
 import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayObstacles, sayText)
-import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
+import Dioptre.Command.Trace (Traced (..), sayBlack, sayCut, timed, traced)
 import Dioptre.Command.Wording (seconds, statistics)
 import Dioptre.Files.Fault (FileFault (..), Reason (..))
 import Dioptre.Files.Identity (sameFile)
@@ -91,6 +91,7 @@ render journal options = do
     l = journalLanguage journal
     drawn reading scene planned = do
       (indexing, size) <- timed (evaluate (planExtent planned))
+      sayBlack journal scene size
       outcome <- write scene (traced journal planned)
       case outcome of
         Left fault -> ExitFailure 3 <$ sayFault journal fault

@@ -28,7 +28,7 @@ import Dioptre.Command.Browser (opener)
 import Dioptre.Command.Compare (verdict)
 import Dioptre.Command.Info (info)
 import Dioptre.Command.Journal (Journal, journalLanguage, sayDiagnostics, sayFault, sayText, speakingIf, written)
-import Dioptre.Command.Trace (Traced (..), sayCut, timed, traced)
+import Dioptre.Command.Trace (Traced (..), sayBlack, sayCut, timed, traced)
 import Dioptre.Command.View (ViewOptions (..), awaitDeparture, awaitPicture, builtIn, viewing)
 import Dioptre.Command.Wording (extent, modelRead, seconds, statistics)
 import Dioptre.Files.Contents (Contents, contents)
@@ -188,6 +188,7 @@ draw journal inputs configuration = withSource journal inputs configuration $ \(
       let planned = loadedPlan loaded
       (indexing, size) <- timed (evaluate (planExtent planned))
       sayText journal (extent l size <> inLanguage l "; built in " "\xA0; construit en " <> seconds indexing)
+      sayBlack journal (loadedScene loaded) size
       leave journal inputs configuration (loadedScene loaded) (traced journal planned)
 
 -- | Shows the scene in the browser while it is drawn, and leaves the same as soon as it is; ends when its page is

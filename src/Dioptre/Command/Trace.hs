@@ -5,13 +5,15 @@
 -- Description : Tracing a picture while a person waits
 --
 -- What @render@ and the run without arguments share: all processors at work, a bar that shows how far they are, how
--- long it took, and a warning where rays were left out. A picture goes to its file row by row, so that any that may be
+-- long it took, and what there is to say of it: that it will be black, that rays were left out. A
+-- picture goes to its file row by row, so that any that may be
 -- asked for fits into memory.
 module Dioptre.Command.Trace
   ( Traced (..),
     traced,
     timed,
     sayCut,
+    sayBlack,
   )
 where
 
@@ -23,7 +25,9 @@ import Dioptre.Picture.Png (encodeRows)
 import Dioptre.Render (renderRows)
 import Dioptre.Render.Row (Plan, Row (..), planHeight, planWidth)
 import Dioptre.Render.Tally (Tally (..))
-import Dioptre.Scene.Raytracer (mostRays)
+import Dioptre.Render.World (Extent (..))
+import Dioptre.Scene (Scene, sceneLights, sceneRaytracer)
+import Dioptre.Scene.Raytracer (Raytracer (..), ReflexionAlgorithm (NoLight), mostRays)
 import Dioptre.Source.Language (inLanguage)
 import GHC.Clock (getMonotonicTime)
 import GHC.Conc (getNumCapabilities)
@@ -50,6 +54,19 @@ timed work = do
   result <- work
   end <- getMonotonicTime
   pure (end - start, result)
+
+-- | Says that a picture will be black, and why, where that is seen in its scene as it stands; for a world of that size.
+--
+-- Spec: cli.render.black.
+sayBlack :: Journal -> Scene -> Extent -> IO ()
+sayBlack journal scene size
+  | extentShapes size == 0 = remark "the scene has no shape" "la scène n'a aucune forme"
+  | null (sceneLights scene) && raytracerAlgorithm (sceneRaytracer scene) /= NoLight =
+    remark "the scene has no light (reflexion_algorithm no_light would show its colours without one)" "la scène n'a aucune lumière (reflexion_algorithm no_light montrerait ses couleurs sans elle)"
+  | otherwise = pure ()
+  where
+    l = journalLanguage journal
+    remark en fr = sayText journal (inLanguage l ("remark: the picture is black: " <> en) ("remarque\xA0: l'image est noire\xA0: " <> fr))
 
 -- | Says that some pixels wanted more rays than are followed, if any did.
 sayCut :: Journal -> Tally -> IO ()

@@ -40,7 +40,7 @@ import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Posix.Files (createLink, setFileMode)
 import System.Timeout (timeout)
-import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe)
+import Test.Hspec (Spec, describe, it, shouldBe, shouldContain, shouldNotBe, shouldReturn)
 import Prelude hiding (compare)
 
 spec :: Spec
@@ -131,6 +131,18 @@ spec = do
       (code', _, err') <- heard (render' plainOptions {optionOutput = ToFile "nowhere/p.png"})
       code' `shouldBe` ExitFailure 3
       err' `shouldContainText` "nowhere"
+    it "says before it draws that a picture will be black, of a scene without shapes or without light" . inFolder $ do
+      let remarkOf l text = do
+            Text.writeFile "b.txt" (text <> "viewport\nwidth 2\nheight 2\nend\n")
+            (code, _, err) <- heard (newJournal l True >>= (`render` plainOptions {optionScene = "b.txt", optionOutput = ToFile "b.png"}))
+            code `shouldBe` ExitSuccess
+            pure [line | line <- Text.lines err, any (`Text.isPrefixOf` line) ["remark", "remarque"]]
+          dark = "primitive\nmaterial_name m\nsphere\nend\nend\nmaterial\nname m\nend\n"
+      remarkOf English "" `shouldReturn` ["remark: the picture is black: the scene has no shape"]
+      remarkOf French "" `shouldReturn` ["remarque\xA0: l'image est noire\xA0: la scène n'a aucune forme"]
+      remarkOf English dark `shouldReturn` ["remark: the picture is black: the scene has no light (reflexion_algorithm no_light would show its colours without one)"]
+      remarkOf English (dark <> "raytracer\nreflexion_algorithm no_light\nend\n") `shouldReturn` []
+      remarkOf English (dark <> "point_light\nend\n") `shouldReturn` []
     it "crops to the pixels of the whole picture" . inFolder $ do
       Text.writeFile "s.txt" sphereScene
       _ <- heard (render' plainOptions {optionOutput = ToFile "whole.png"})
