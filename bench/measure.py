@@ -69,6 +69,14 @@ def dioptre_says(messages):
     return {key: float(value or 0) for key, value in found.groupdict().items()}
 
 
+def dioptres_say(messages):
+    """The means of the same, of several programs."""
+    said = [dioptre_says(found.group(0)) for found in SAID.finditer(messages)]
+    if len(said) < 2:
+        raise Fault(f"Dioptre's lines of statistics were not found in:\n{messages}")
+    return {key: statistics.mean(numbers[key] for numbers in said) for key in said[0]}
+
+
 # Measuring
 
 
