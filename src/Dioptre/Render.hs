@@ -9,6 +9,7 @@ module Dioptre.Render
     renderWith,
     renderRows,
     rowsAhead,
+    rowsAtOnce,
   )
 where
 
@@ -47,14 +48,13 @@ renderWith workers done p = do
 -- | The rows of the same picture by that many workers, handed over one by one from the top, with their numbers, in
 -- the thread that calls this. Tells what they took, and for how many seconds each worker computed them in the mean.
 --
--- Cost: 'rowsAhead' rows in memory, however many the picture has.
+-- Cost: some 'rowsAhead' rows in memory, however many the picture has.
 renderRows :: Int -> Plan -> (Int -> Row -> IO ()) -> IO (Tally, Double)
 renderRows workers p receive = do
   (tally, spent) <- foldInOrder workers (max (2 * workers) (rowsAhead workers (planWidth p) `div` atOnce)) pieces piece hand (mempty, 0)
   pure (tally, spent / fromIntegral (max 1 (min workers pieces)))
   where
-    -- Rows of a few pixels are computed several at once: handing over takes a microsecond.
-    atOnce = max 1 (4096 `div` max 1 (planWidth p))
+    atOnce = rowsAtOnce workers (planWidth p) (planHeight p)
     pieces = (planHeight p + atOnce - 1) `div` atOnce
     piece k = do
       began <- getMonotonicTime
@@ -66,6 +66,15 @@ renderRows workers p receive = do
       let tally = foldl' (\sum' r -> sum' <> rowTally r) before rows
           total = spent + seconds
       tally `seq` total `seq` pure (tally, total)
+
+-- | How many rows a worker computes before it hands them over, in a picture of that width and height. Handing over takes
+-- a microsecond, so that of rows of a few pixels there are as many as have 4096; but never so many that fewer than 32
+-- pieces are left for each worker: pixels may take long, and pieces may be uneven.
+--
+-- >>> [rowsAtOnce 2 w h | (w, h) <- [(1, 2000000), (60, 40), (300, 300), (2000, 2000), (10000, 10000)]]
+-- [4096,1,4,2,1]
+rowsAtOnce :: Int -> Int -> Int -> Int
+rowsAtOnce workers width height = max 1 (min (4096 `div` max 1 width) (height `div` (32 * workers)))
 
 -- | How many rows of that width may be in memory for so many workers: enough that nobody waits for a row that takes
 -- long, and no more than 4 MB of them if that is two for each worker.

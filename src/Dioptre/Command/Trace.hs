@@ -5,9 +5,8 @@
 -- Description : Tracing a picture while a person waits
 --
 -- What @render@ and the run without arguments share: all processors at work, a bar that shows how far they are, how
--- long it took, and what there is to say of it: that it will be black, that rays were left out. A
--- picture goes to its file row by row, so that any that may be
--- asked for fits into memory.
+-- long it took, and what there is to say of it: that it will be black, that rays were left out. A picture goes to its
+-- file row by row, so that any that may be asked for fits into memory.
 module Dioptre.Command.Trace
   ( Traced (..),
     traced,
